@@ -1,0 +1,4 @@
+//! Certified distances between subdivision surfaces and their meshes.
+pub mod mesh;
+pub mod scalar;
+pub mod scheme;

@@ -1,0 +1,16 @@
+//! Meshes: topology without coordinates, points without topology, and files.
+
+pub mod point;
+pub mod topology;
+
+pub use point::Point;
+pub use topology::{NONE, Topology, TopologyError};
+
+/// A mesh: who is next to whom, and where everyone is.
+#[derive(Clone, Debug)]
+pub struct Mesh<S = f64> {
+    /// The connectivity.
+    pub topology: Topology,
+    /// One point per vertex, in the mesh's own unit.
+    pub positions: Vec<Point<S>>,
+}

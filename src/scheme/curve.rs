@@ -1,0 +1,1 @@
+//! Uniform quadratic and cubic B-spline curves.
