@@ -1,3 +1,44 @@
-//! stub
-/// stub
-pub struct Rational;
+//! Exact rationals: [`num_rational::BigRational`] as a [`Field`] that decides.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::Zero;
+
+use super::{Decide, Field, Ring};
+
+/// A rational number in lowest terms.
+pub type Rational = num_rational::BigRational;
+
+impl Ring for Rational {
+    fn from_integer(k: i64) -> Self {
+        Rational::from_integer(BigInt::from(k))
+    }
+}
+
+impl Field for Rational {
+    fn ratio(p: i64, q: i64) -> Self {
+        Rational::new(BigInt::from(p), BigInt::from(q))
+    }
+
+    /// Niven's theorem: `2 cos(2 π j / n)` is rational only for denominators 1, 2, 3, 4 and 6.
+    fn two_cos(j: u32, n: u32) -> Option<Self> {
+        let divisor = j.gcd(&n).max(1);
+        let value = match (n / divisor, j.is_zero()) {
+            (_, true) | (1, _) => 2,
+            (2, _) => -2,
+            (3, _) => -1,
+            (4, _) => 0,
+            (6, _) => 1,
+            _ => return None,
+        };
+        Some(<Self as Ring>::from_integer(value))
+    }
+}
+
+impl Decide for Rational {
+    fn decide(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
