@@ -2,6 +2,9 @@
 
 use super::{Field, Ring};
 
+/// Half an ulp of 1: the largest relative error of one operation.
+pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
 impl Ring for f64 {
     #[inline(always)]
     fn from_integer(k: i64) -> Self {

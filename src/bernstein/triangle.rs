@@ -1,0 +1,191 @@
+//! Quartic Bézier triangles.
+//!
+//! Coefficient `(i, j, k)`, i + j + k = 4, has index `(j+k)(j+k+1)/2 + k`; corner 0 is (4,0,0),
+//! corner 1 (0,4,0) at v = 1, corner 2 (0,0,4) at w = 1. Source: Huang & Wang 2008, section 2.
+
+use super::{Patch, mid_parameter, midpoint};
+use crate::scalar::{Field, Module};
+
+/// The index of coefficient `(4-j-k, j, k)`.
+#[inline(always)]
+pub const fn index(j: usize, k: usize) -> usize {
+    (j + k) * (j + k + 1) / 2 + k
+}
+
+/// A quartic Bézier triangle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuarticTriangle<V>(pub [V; 15]);
+
+impl<V> QuarticTriangle<V> {
+    /// The degree-4 form of the linear patch with the given corner values:
+    /// coefficient (i, j, k) is `(i f0 + j f1 + k f2) / 4`. In `f64`: 6 roundings at most.
+    #[inline]
+    pub fn from_linear<S: Field>(corners: &[V; 3]) -> Self
+    where
+        V: Module<S>,
+    {
+        let quarter = S::ratio(1, 4);
+        let edge = |a: &V, b: &V| -> [V; 3] {
+            let mid = midpoint::<S, V>(a, b);
+            let near = midpoint::<S, V>(a, &mid);
+            let far = midpoint::<S, V>(&mid, b);
+            [near, mid, far]
+        };
+        let [f0, f1, f2] = corners;
+        let [a1, a2, a3] = edge(f0, f1);
+        let [b1, b2, b3] = edge(f0, f2);
+        let [c1, c2, c3] = edge(f1, f2);
+        let s = f0.clone() + f1 + f2;
+        let inner = |f: &V| (s.clone() + f) * &quarter;
+        QuarticTriangle([
+            f0.clone(),
+            a1,
+            b1,
+            a2,
+            inner(f0),
+            b2,
+            a3,
+            inner(f1),
+            inner(f2),
+            b3,
+            f1.clone(),
+            c1,
+            c2,
+            c3,
+            f2.clone(),
+        ])
+    }
+
+    /// The difference of two patches, coefficient by coefficient.
+    #[inline]
+    pub fn minus<S: Field>(self, other: &Self) -> Self
+    where
+        V: Module<S>,
+    {
+        let mut result = self.0;
+        for (a, b) in result.iter_mut().zip(&other.0) {
+            *a = a.clone() - b;
+        }
+        QuarticTriangle(result)
+    }
+}
+
+impl<S: Field, V: Module<S>> Patch<S, V> for QuarticTriangle<V> {
+    const CORNERS: usize = 3;
+    const DEGREE: usize = 4;
+
+    #[inline]
+    fn coefficients(&self) -> &[V] {
+        &self.0
+    }
+
+    #[inline]
+    fn corner_index(corner: usize) -> usize {
+        [0, 10, 14][corner]
+    }
+
+    fn local_corner(corner: usize) -> [f64; 2] {
+        [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]][corner]
+    }
+
+    /// Bisects at the middle m of the edge from corner 1 to corner 2, into (m, 0, 1) and (m, 2, 0):
+    /// the newest vertex comes first and the next edge split is opposite it, so the pieces stay
+    /// well shaped.
+    ///
+    /// The coefficients of fixed i form a curve of degree 4 - i along that edge; each is halved by
+    /// de Casteljau's algorithm.
+    #[inline]
+    fn halve(&self, corners: &[[f64; 2]; 4]) -> [(Self, [[f64; 2]; 4]); 2] {
+        let b = &self.0;
+        let mut one = self.clone(); // (m, 0, 1)
+        let mut two = self.clone(); // (m, 2, 0)
+        // Row r = j + k has r + 1 coefficients, index r(r+1)/2 + k, from corner 1's side (k = 0).
+        // After t averagings the first entry belongs to the half at corner 1 and the last to the
+        // half at corner 2. In the half with corner 1 the coefficient has (i, r - t, t) in
+        // (0, 1, m) = new (t, i, r - t) with i = 4 - r, hence new (j, k) = (4 - r, r - t).
+        macro_rules! row {
+            ($r:literal) => {{
+                let base = $r * ($r + 1) / 2;
+                let mut row: [V; $r + 1] = std::array::from_fn(|k| b[base + k].clone());
+                one.0[index(4 - $r, $r)] = row[0].clone();
+                two.0[index($r, 4 - $r)] = row[$r].clone();
+                for t in 1..=$r {
+                    for k in 0..=($r - t) {
+                        row[k] = midpoint::<S, V>(&row[k], &row[k + 1]);
+                    }
+                    one.0[index(4 - $r, $r - t)] = row[0].clone();
+                    two.0[index($r - t, 4 - $r)] = row[$r - t].clone();
+                }
+            }};
+        }
+        row!(0);
+        row!(1);
+        row!(2);
+        row!(3);
+        row!(4);
+        let [p0, p1, p2, _] = *corners;
+        let m = mid_parameter(p1, p2);
+        [(one, [m, p0, p1, m]), (two, [m, p2, p0, m])]
+    }
+
+    fn first_derivatives(&self) -> [Vec<V>; 2] {
+        [difference(&self.0, 4, (1, 0), 4), difference(&self.0, 4, (0, 1), 4)]
+    }
+
+    fn second_derivatives(&self) -> [Vec<V>; 3] {
+        let [dv, dw] = self.first_derivatives();
+        [
+            difference(&dv, 3, (1, 0), 3),
+            difference(&dv, 3, (0, 1), 3),
+            difference(&dw, 3, (0, 1), 3),
+        ]
+    }
+
+    fn evaluate(&self, at: [&S; 2]) -> (V, [V; 2]) {
+        let [v, w] = at;
+        let u = S::one() - v - w;
+        let mut level: Vec<V> = self.0.to_vec();
+        let mut degree = 4;
+        while degree > 1 {
+            degree -= 1;
+            let mut next = Vec::with_capacity(10);
+            for r in 0..=degree {
+                for k in 0..=r {
+                    let j = r - k;
+                    next.push(
+                        level[index(j, k)].clone() * &u
+                            + &(level[index(j + 1, k)].clone() * v)
+                            + &(level[index(j, k + 1)].clone() * w),
+                    );
+                }
+            }
+            level = next;
+        }
+        let four = S::from_integer(4);
+        let gradient = [
+            (level[1].clone() - &level[0]) * &four,
+            (level[2].clone() - &level[0]) * &four,
+        ];
+        let value = level[0].clone() * &u + &(level[1].clone() * v) + &(level[2].clone() * w);
+        (value, gradient)
+    }
+}
+
+/// Coefficients of the derivative of a degree-`degree` patch towards (j, k) += `step`.
+fn difference<S: Field, V: Module<S>>(
+    coefficients: &[V],
+    degree: usize,
+    step: (usize, usize),
+    factor: i64,
+) -> Vec<V> {
+    let factor = S::from_integer(factor);
+    let mut result = Vec::with_capacity(degree * (degree + 1) / 2);
+    for r in 0..degree {
+        for k in 0..=r {
+            let j = r - k;
+            let forward = coefficients[index(j + step.0, k + step.1)].clone();
+            result.push((forward - &coefficients[index(j, k)]) * &factor);
+        }
+    }
+    result
+}

@@ -1,0 +1,13 @@
+//! Certified distances between a subdivision surface and its meshes.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `search` | best-first branch and bound; knows no geometry |
+//! | `model` | what a face of each scheme yields: patches and nets of S - F |
+//! | `close` | ends the search at a smooth maximum |
+//! | `parametric` | the supremum over a face, and over a mesh |
+
+pub mod close;
+pub mod model;
+pub mod parametric;
+pub mod search;

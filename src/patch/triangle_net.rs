@@ -1,0 +1,402 @@
+//! Loop: a triangle with the full rings of its three corners.
+//!
+//! Orientation: corners A, B, C counterclockwise. The ring of a corner is counterclockwise; `at`
+//! is the place of the NEXT corner in it (B for A), so that `at + 1` is the previous corner, and
+//! `at + 2`, `at - 1` are the vertices opposite the face's edges.
+
+use num_traits::Zero;
+
+use super::{Corners, Sink, Space};
+use crate::bernstein::triangle::QuarticTriangle;
+use crate::bernstein::{from_net, mid_parameter, midpoint};
+use crate::mesh::{NONE, Point, Topology};
+use crate::scalar::{Field, Module};
+use crate::scheme::{CornerRule, LoopWeights, StarMask, boundary, loop_scheme};
+
+/// The neighbours of a vertex, counterclockwise; an open ring runs from boundary to boundary.
+#[derive(Clone, Debug)]
+pub struct Ring<V> {
+    /// The neighbours.
+    pub points: Vec<V>,
+    /// Place of the next corner of the face.
+    pub at: usize,
+    /// Whether the vertex is interior.
+    pub closed: bool,
+}
+
+impl<V> Default for Ring<V> {
+    fn default() -> Self {
+        Ring { points: Vec::new(), at: 0, closed: true }
+    }
+}
+
+/// A borrowed ring.
+struct RingView<'a, V> {
+    points: &'a [V],
+    at: usize,
+    closed: bool,
+}
+
+impl<V> Clone for RingView<'_, V> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<V> Copy for RingView<'_, V> {}
+
+impl<V> Ring<V> {
+    fn view(&self) -> RingView<'_, V> {
+        RingView { points: &self.points, at: self.at, closed: self.closed }
+    }
+}
+
+/// A triangle with the rings of its corners, and the linear map F to compare with.
+#[derive(Clone, Debug)]
+pub struct TriangleNet<V> {
+    corner: [V; 3],
+    ring: [Ring<V>; 3],
+    /// F at the corners.
+    facet: [V; 3],
+    /// Parameters of the corners in the face.
+    pub corners: Corners,
+    /// Local steps taken since the mesh.
+    pub steps: u32,
+}
+
+impl<V: Zero> Default for TriangleNet<V> {
+    fn default() -> Self {
+        TriangleNet {
+            corner: std::array::from_fn(|_| V::zero()),
+            ring: Default::default(),
+            facet: std::array::from_fn(|_| V::zero()),
+            corners: [[0.0; 2]; 4],
+            steps: 0,
+        }
+    }
+}
+
+/// Loop's rules on one mesh: its masks, by valence.
+#[derive(Clone, Debug)]
+pub struct LoopRules<S> {
+    corner_rule: CornerRule,
+    /// Vertex and limit mask of each interior valence that occurs.
+    masks: Vec<Option<(StarMask<S>, StarMask<S>)>>,
+}
+
+impl<S: Field> LoopRules<S> {
+    /// The masks of all interior valences in the mesh, and of 6.
+    ///
+    /// # Errors
+    /// The valence, if and only if the arithmetic cannot represent its masks.
+    pub fn new(weights: LoopWeights, corner_rule: CornerRule, topology: &Topology) -> Result<Self, u32> {
+        let mut masks: Vec<Option<(StarMask<S>, StarMask<S>)>> = vec![None; 7];
+        for vertex in 0..=topology.vertex_count() {
+            // One round more than there are vertices: the valence 6 of every new vertex.
+            let n = if vertex == topology.vertex_count() { 6 } else { topology.valence(vertex) };
+            let wanted = n >= 3
+                && (vertex == topology.vertex_count() || !topology.is_boundary_vertex(vertex));
+            if masks.len() <= n as usize {
+                masks.resize(n as usize + 1, None);
+            }
+            if wanted && masks[n as usize].is_none() {
+                let vertex_mask = loop_scheme::vertex_mask(weights, n).ok_or(n)?;
+                let limit_mask = loop_scheme::limit_mask(weights, n).ok_or(n)?;
+                masks[n as usize] = Some((vertex_mask, limit_mask));
+            }
+        }
+        Ok(LoopRules { corner_rule, masks })
+    }
+
+    fn interior(&self, n: usize) -> &(StarMask<S>, StarMask<S>) {
+        self.masks[n].as_ref().expect("a mask for each interior valence of the mesh")
+    }
+
+    fn is_regular<V>(&self, ring: RingView<'_, V>) -> bool {
+        match (ring.closed, ring.points.len()) {
+            (true, n) => n == 6,
+            (false, 4) => true,
+            (false, n) => n == 2 && self.corner_rule == CornerRule::Sharp,
+        }
+    }
+
+    fn is_pinned<V>(&self, ring: RingView<'_, V>) -> bool {
+        !ring.closed && ring.points.len() == 2 && self.corner_rule == CornerRule::Sharp
+    }
+
+    fn new_vertex<V: Module<S>>(&self, p: &V, ring: RingView<'_, V>) -> V {
+        if ring.closed {
+            self.interior(ring.points.len()).0.apply_ring(p, &sum(ring.points))
+        } else if self.is_pinned(ring) {
+            p.clone()
+        } else {
+            boundary::vertex_point(p, &ring.points[0], &ring.points[ring.points.len() - 1])
+        }
+    }
+
+    fn limit<V: Module<S>>(&self, p: &V, ring: RingView<'_, V>) -> V {
+        if ring.closed {
+            self.interior(ring.points.len()).1.apply_ring(p, &sum(ring.points))
+        } else if self.is_pinned(ring) {
+            p.clone()
+        } else {
+            boundary::limit_point(p, &ring.points[0], &ring.points[ring.points.len() - 1])
+        }
+    }
+}
+
+#[inline]
+fn sum<V: Zero + Clone + for<'a> std::ops::Add<&'a V, Output = V>>(points: &[V]) -> V {
+    points.iter().fold(V::zero(), |total, p| total + p)
+}
+
+/// The edge points from a corner to each of its neighbours.
+#[inline]
+fn edge_points<S: Field, V: Module<S>>(p: &V, ring: RingView<'_, V>, out: &mut Vec<V>) {
+    let (r, n) = (ring.points, ring.points.len());
+    out.clear();
+    out.extend((0..n).map(|k| {
+        if !ring.closed && (k == 0 || k == n - 1) {
+            boundary::edge_point(p, &r[k])
+        } else {
+            let before = &r[if k == 0 { n - 1 } else { k - 1 }];
+            let after = &r[if k + 1 == n { 0 } else { k + 1 }];
+            loop_scheme::edge_point(p, &r[k], before, after)
+        }
+    }));
+}
+
+/// The six neighbours of a regular corner from the next corner on, with ghosts beyond a boundary.
+///
+/// Ghosts: `p + r_0 - r_1` across a boundary edge (p, r_0) whose triangle has third vertex r_1; at a
+/// pinned corner also `2 p - r`. The regular masks on them give the boundary rules: at a vertex with
+/// ring r_0..r_3 the six neighbours sum to `2 (p + r_0 + r_3)`, so the limit is
+/// `(6 p + 2 p + 2 r_0 + 2 r_3) / 12 = (4 p + r_0 + r_3) / 6`.
+#[inline]
+fn full_ring<S: Field, V: Module<S>>(p: &V, ring: RingView<'_, V>) -> [V; 6] {
+    let r = ring.points;
+    let ghost = |end: &V, inner: &V| p.clone() + end - inner;
+    let six: [V; 6] = match r.len() {
+        6 => return std::array::from_fn(|k| r[(ring.at + k) % 6].clone()),
+        4 => [
+            r[0].clone(),
+            r[1].clone(),
+            r[2].clone(),
+            r[3].clone(),
+            ghost(&r[3], &r[2]),
+            ghost(&r[0], &r[1]),
+        ],
+        _ => [
+            r[0].clone(),
+            r[1].clone(),
+            ghost(&r[1], &r[0]),
+            p.clone() + p - &r[0],
+            p.clone() + p - &r[1],
+            ghost(&r[0], &r[1]),
+        ],
+    };
+    std::array::from_fn(|k| six[(ring.at + k) % 6].clone())
+}
+
+/// S over a triangle whose three corners are regular.
+#[inline]
+fn regular_patch<S: Field, V: Module<S>>(corner: [&V; 3], ring: [RingView<'_, V>; 3]) -> QuarticTriangle<V> {
+    let [a, b, c] = corner;
+    // From A: B, C, opposite AC, x1, x2, opposite AB; from B: C, A, opposite AB, y1, y2, opposite BC;
+    // from C: A, B, opposite BC, z1, z2, opposite AC.
+    let [_, _, ac, x1, x2, ab] = full_ring::<S, V>(a, ring[0]);
+    let [_, _, _, y1, y2, bc] = full_ring::<S, V>(b, ring[1]);
+    let [_, _, _, z1, z2, _] = full_ring::<S, V>(c, ring[2]);
+    from_net::box_spline::<S, V>(&[x2, x1, ab, a.clone(), ac, y1, b.clone(), c.clone(), z2, y2, bc, z1])
+}
+
+/// Scratch storage of [`split`].
+#[derive(Clone, Debug)]
+pub struct Scratch<V> {
+    edges: [Vec<V>; 3],
+}
+
+impl<V> Default for Scratch<V> {
+    fn default() -> Self {
+        Scratch { edges: Default::default() }
+    }
+}
+
+impl<V> TriangleNet<V> {
+    /// Gathers a face of the mesh. With `limit`, F takes the limit positions of the corners.
+    pub fn gather<A>(
+        &mut self,
+        rules: &LoopRules<A::Scalar>,
+        topology: &Topology,
+        positions: &[Point<A::Scalar>],
+        face: u32,
+        limit: bool,
+    ) where
+        A: Space<Point = V>,
+        V: Module<A::Scalar>,
+    {
+        let first = topology.halfedges(face).start;
+        let base = &positions[topology.origin(first) as usize];
+        let lift = |vertex: u32| A::lift(&positions[vertex as usize], base);
+        for i in 0..3 {
+            let h = first + i as u32;
+            let vertex = topology.origin(h);
+            self.corner[i] = lift(vertex);
+            let ring = &mut self.ring[i];
+            ring.closed = !topology.is_boundary_vertex(vertex);
+            ring.points.clear();
+            ring.at = 0;
+            let start = if ring.closed { h } else { topology.first_halfedge(vertex) };
+            let mut outgoing = start;
+            loop {
+                if outgoing == h {
+                    ring.at = ring.points.len();
+                }
+                ring.points.push(lift(topology.target(outgoing)));
+                let next = topology.rotate(outgoing);
+                if next == NONE {
+                    ring.points.push(lift(topology.origin(topology.prev(outgoing))));
+                    break;
+                }
+                if next == start {
+                    break;
+                }
+                outgoing = next;
+            }
+        }
+        for i in 0..3 {
+            self.facet[i] = if limit {
+                rules.limit(&self.corner[i], self.ring[i].view())
+            } else {
+                self.corner[i].clone()
+            };
+        }
+        self.corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
+        self.steps = 0;
+    }
+
+    /// The largest squared distance of a point of the net to a corner of F: an upper bound for
+    /// |S - F|^2 over the triangle, since S lies in the hull of the net and F in that of its corners.
+    pub fn hull_bound<A>(&self) -> A::Square
+    where
+        A: Space<Point = V>,
+        V: Module<A::Scalar>,
+    {
+        let mut largest = A::zero();
+        for point in self.corner.iter().chain(self.ring.iter().flat_map(|ring| &ring.points)) {
+            for f in &self.facet {
+                let square = A::upper(&(point.clone() - f));
+                if square > largest {
+                    largest = square;
+                }
+            }
+        }
+        largest
+    }
+
+    /// The largest coordinate of the net, for rounding bounds.
+    pub fn points(&self) -> impl Iterator<Item = &V> {
+        self.corner.iter().chain(self.ring.iter().flat_map(|ring| &ring.points))
+    }
+
+    /// S - F at the irregular corner (corner 0 of every net that a split yields).
+    pub fn corner_difference<A>(&self, rules: &LoopRules<A::Scalar>) -> V
+    where
+        A: Space<Point = V>,
+        V: Module<A::Scalar>,
+    {
+        rules.limit(&self.corner[0], self.ring[0].view()) - &self.facet[0]
+    }
+}
+
+/// One patch if all corners are regular, otherwise one Loop step: up to three patches and a net for
+/// each irregular corner, with that corner first.
+pub fn split<A, V>(
+    rules: &LoopRules<A::Scalar>,
+    net: &TriangleNet<V>,
+    scratch: &mut Scratch<V>,
+    sink: &mut impl Sink<QuarticTriangle<V>, TriangleNet<V>>,
+) where
+    A: Space<Point = V>,
+    V: Module<A::Scalar>,
+{
+    let view = [net.ring[0].view(), net.ring[1].view(), net.ring[2].view()];
+    let regular: [bool; 3] = std::array::from_fn(|i| rules.is_regular(view[i]));
+    let difference = |s: QuarticTriangle<V>, facet: &[V; 3]| {
+        s.minus::<A::Scalar>(&QuarticTriangle::from_linear::<A::Scalar>(facet))
+    };
+    if regular == [true; 3] {
+        let [a, b, c] = &net.corner;
+        let patch = regular_patch::<A::Scalar, V>([a, b, c], view);
+        sink.patch(difference(patch, &net.facet), net.corners, net.steps);
+        return;
+    }
+    for i in 0..3 {
+        edge_points::<A::Scalar, V>(&net.corner[i], view[i], &mut scratch.edges[i]);
+    }
+    let vertex: [V; 3] = std::array::from_fn(|i| rules.new_vertex(&net.corner[i], view[i]));
+    // Edge point of edge i, from corner i to corner i + 1.
+    let edge: [&V; 3] = std::array::from_fn(|i| &scratch.edges[i][net.ring[i].at]);
+    // Its ring: interior [e_(i-1), V_i, e(i, d), e(i+1, d), V_(i+1), e_(i+1)], d opposite the edge;
+    // boundary [V_(i+1), e_(i+1), e_(i-1), V_i].
+    let edge_ring: [([V; 6], bool); 3] = std::array::from_fn(|i| {
+        let (next, prev) = ((i + 1) % 3, (i + 2) % 3);
+        let (e_prev, e_next) = (edge[prev].clone(), edge[next].clone());
+        let (ends, at, at_next) = (&net.ring[i], net.ring[i].at, net.ring[next].at);
+        if !ends.closed && at == 0 {
+            let (a, b) = (vertex[i].clone(), vertex[next].clone());
+            ([b, e_next, e_prev, a, V::zero(), V::zero()], false)
+        } else {
+            let (m, n) = (scratch.edges[i].len(), scratch.edges[next].len());
+            let near = scratch.edges[i][(at + m - 1) % m].clone();
+            let far = scratch.edges[next][(at_next + 2) % n].clone();
+            ([e_prev, vertex[i].clone(), near, far, vertex[next].clone(), e_next], true)
+        }
+    });
+    // `at` of an edge point's ring as corner 1 of child i, as corner 2 of child i + 1, and in the
+    // middle child.
+    let around = |i: usize, closed_at: usize, open_at: usize| {
+        let (points, closed) = &edge_ring[i];
+        if *closed {
+            RingView { points: &points[..], at: closed_at, closed: true }
+        } else {
+            RingView { points: &points[..4], at: open_at, closed: false }
+        }
+    };
+    let p = &net.corners;
+    let middle: [[f64; 2]; 3] = std::array::from_fn(|i| mid_parameter(p[i], p[(i + 1) % 3]));
+    let facet_middle: [V; 3] = std::array::from_fn(|i| {
+        midpoint::<A::Scalar, V>(&net.facet[i], &net.facet[(i + 1) % 3])
+    });
+    for i in 0..3 {
+        let (next, prev) = ((i + 1) % 3, (i + 2) % 3);
+        let corners = [p[i], middle[i], middle[prev], p[i]];
+        let facet = [net.facet[i].clone(), facet_middle[i].clone(), facet_middle[prev].clone()];
+        let ring_v = RingView { points: &scratch.edges[i], at: net.ring[i].at, closed: net.ring[i].closed };
+        let (ring_1, ring_2) = (around(i, 0, 2), around(prev, 4, 0));
+        let _ = next;
+        if regular[i] {
+            let patch =
+                regular_patch::<A::Scalar, V>([&vertex[i], edge[i], edge[prev]], [ring_v, ring_1, ring_2]);
+            sink.patch(difference(patch, &facet), corners, net.steps + 1);
+        } else {
+            let mut child = sink.spare();
+            child.corner = [vertex[i].clone(), edge[i].clone(), edge[prev].clone()];
+            for (ring, view) in child.ring.iter_mut().zip([ring_v, ring_1, ring_2]) {
+                ring.points.clear();
+                ring.points.extend_from_slice(view.points);
+                (ring.at, ring.closed) = (view.at, view.closed);
+            }
+            child.facet = facet;
+            child.corners = corners;
+            child.steps = net.steps + 1;
+            sink.net(child);
+        }
+    }
+    let patch = regular_patch::<A::Scalar, V>(
+        [edge[0], edge[1], edge[2]],
+        [around(0, 5, 1), around(1, 5, 1), around(2, 5, 1)],
+    );
+    let corners = [middle[0], middle[1], middle[2], middle[0]];
+    sink.patch(difference(patch, &facet_middle), corners, net.steps + 1);
+}
