@@ -1,6 +1,7 @@
 //! Certified distances between subdivision surfaces and their meshes.
 pub mod bernstein;
 pub mod distance;
+pub mod linalg;
 pub mod mesh;
 pub mod patch;
 pub mod scalar;
