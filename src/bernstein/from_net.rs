@@ -79,7 +79,9 @@ pub fn bicubic<S: Field, V: Module<S>>(p: &[V; 16]) -> Bicubic<V> {
     let columns: [[V; 4]; 4] =
         std::array::from_fn(|i| curve(&rows[0][i], &rows[1][i], &rows[2][i], &rows[3][i]));
     let scale = S::ratio(1, 36);
-    super::tensor::Tensor(std::array::from_fn(|index| columns[index % 4][index / 4].clone() * &scale))
+    super::tensor::Tensor(std::array::from_fn(|index| {
+        columns[index % 4][index / 4].clone() * &scale
+    }))
 }
 
 /// The Bernstein coefficients of the biquadratic B-spline patch over the middle square of a 3 x 3
@@ -89,10 +91,16 @@ pub fn bicubic<S: Field, V: Module<S>>(p: &[V; 16]) -> Bicubic<V> {
 #[inline]
 pub fn biquadratic<S: Field, V: Module<S>>(p: &[V; 9]) -> Biquadratic<V> {
     let curve = |a: &V, b: &V, c: &V| -> [V; 3] {
-        [super::midpoint::<S, V>(a, b), b.clone(), super::midpoint::<S, V>(b, c)]
+        [
+            super::midpoint::<S, V>(a, b),
+            b.clone(),
+            super::midpoint::<S, V>(b, c),
+        ]
     };
     let rows: [[V; 3]; 3] = std::array::from_fn(|j| curve(&p[3 * j], &p[3 * j + 1], &p[3 * j + 2]));
     let columns: [[V; 3]; 3] =
         std::array::from_fn(|i| curve(&rows[0][i], &rows[1][i], &rows[2][i]));
-    super::tensor::Tensor(std::array::from_fn(|index| columns[index % 3][index / 3].clone()))
+    super::tensor::Tensor(std::array::from_fn(|index| {
+        columns[index % 3][index / 3].clone()
+    }))
 }

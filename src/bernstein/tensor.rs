@@ -110,7 +110,10 @@ impl<S: Field, V: Module<S>, const D: usize, const N: usize> Patch<S, V> for Ten
 
     fn first_derivatives(&self) -> [Vec<V>; 2] {
         let row = D + 1;
-        [difference(&self.0, row, row, true, D), difference(&self.0, row, row, false, D)]
+        [
+            difference(&self.0, row, row, true, D),
+            difference(&self.0, row, row, false, D),
+        ]
     }
 
     fn second_derivatives(&self) -> [Vec<V>; 3] {
@@ -164,7 +167,11 @@ fn difference<S: Field, V: Module<S>>(
     degree: usize,
 ) -> Vec<V> {
     let factor = S::from_integer(degree as i64);
-    let (w, h) = if along_u { (width - 1, height) } else { (width, height - 1) };
+    let (w, h) = if along_u {
+        (width - 1, height)
+    } else {
+        (width, height - 1)
+    };
     let step = if along_u { 1 } else { width };
     let mut result = Vec::with_capacity(w * h);
     for j in 0..h {

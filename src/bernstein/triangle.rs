@@ -129,7 +129,10 @@ impl<S: Field, V: Module<S>> Patch<S, V> for QuarticTriangle<V> {
     }
 
     fn first_derivatives(&self) -> [Vec<V>; 2] {
-        [difference(&self.0, 4, (1, 0), 4), difference(&self.0, 4, (0, 1), 4)]
+        [
+            difference(&self.0, 4, (1, 0), 4),
+            difference(&self.0, 4, (0, 1), 4),
+        ]
     }
 
     fn second_derivatives(&self) -> [Vec<V>; 3] {

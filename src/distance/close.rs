@@ -33,6 +33,8 @@ pub struct Closed<A: Space> {
     pub lower: A::Square,
     /// Local parameters of the point that attains `lower`.
     pub at: [f64; 2],
+    /// S - F there.
+    pub value: A::Point,
 }
 
 /// Tries to bound |S - F|^2 over a patch by concavity; `None` if it isn't certified.
@@ -41,7 +43,11 @@ where
     A: Space,
     B: Patch<A::Scalar, A::Point>,
 {
-    let scale = patch.coefficients().iter().map(|p| A::estimate(&A::upper(p))).fold(0.0, f64::max);
+    let scale = patch
+        .coefficients()
+        .iter()
+        .map(|p| A::estimate(&A::upper(p)))
+        .fold(0.0, f64::max);
     if !(scale > 0.0) || !is_concave::<A, B>(patch, 64.0 * A::SLACK * 1.01 * scale) {
         return None;
     }
@@ -71,7 +77,12 @@ where
             lower = A::zero();
         }
         if best.as_ref().is_none_or(|b| upper < b.upper) {
-            best = Some(Closed { upper, lower, at });
+            best = Some(Closed {
+                upper,
+                lower,
+                at,
+                value,
+            });
         }
     }
     best
@@ -104,7 +115,11 @@ where
         return false;
     }
     // |d_v|^2 is convex in d_v: its maximum over the hull is at a coefficient.
-    let length = |a: &[A::Point]| a.iter().map(|p| A::upper_f64(&A::dot(p, p))).fold(0.0, f64::max);
+    let length = |a: &[A::Point]| {
+        a.iter()
+            .map(|p| A::upper_f64(&A::dot(p, p)))
+            .fold(0.0, f64::max)
+    };
     let outward = 1.0 + 1e-12;
     let vv = vv + length(&first[0]) * outward + margin;
     let ww = ww + length(&first[1]) * outward + margin;
@@ -134,7 +149,11 @@ where
     // Half the gradient and half the Hessian (second derivatives taken as constant).
     let model = |at: [f64; 2]| {
         let (value, [dv, dw]) = patch.evaluate([&A::dyadic(at[0]), &A::dyadic(at[1])]);
-        let (value, dv, dw) = (A::coordinates(&value), A::coordinates(&dv), A::coordinates(&dw));
+        let (value, dv, dw) = (
+            A::coordinates(&value),
+            A::coordinates(&dv),
+            A::coordinates(&dw),
+        );
         let gradient = [dot(value, dv), dot(value, dw)];
         let hessian = [
             dot(dv, dv) + dot(value, second[0]),
@@ -146,17 +165,30 @@ where
     let round = |x: f64| (x.clamp(0.0, 1.0) * 1048576.0).round() / 1048576.0;
     let inside = |at: [f64; 2]| -> bool {
         let [v, w] = at;
-        v >= 0.0 && w >= 0.0 && if B::CORNERS == 3 { v + w <= 1.0 } else { v <= 1.0 && w <= 1.0 }
+        v >= 0.0
+            && w >= 0.0
+            && if B::CORNERS == 3 {
+                v + w <= 1.0
+            } else {
+                v <= 1.0 && w <= 1.0
+            }
     };
     let mut found = Vec::with_capacity(5);
-    let mut at = if B::CORNERS == 3 { [0.25, 0.25] } else { [0.5, 0.5] };
+    let mut at = if B::CORNERS == 3 {
+        [0.25, 0.25]
+    } else {
+        [0.5, 0.5]
+    };
     for _ in 0..4 {
         let (g, [a, b, c]) = model(at);
         let determinant = a * c - b * b;
         if !(determinant > 0.0) {
             break;
         }
-        let next = [at[0] - (c * g[0] - b * g[1]) / determinant, at[1] - (a * g[1] - b * g[0]) / determinant];
+        let next = [
+            at[0] - (c * g[0] - b * g[1]) / determinant,
+            at[1] - (a * g[1] - b * g[0]) / determinant,
+        ];
         if !(next[0].is_finite() && next[1].is_finite()) {
             break;
         }
@@ -168,7 +200,10 @@ where
     }
     found.push(at);
     for corner in 0..B::CORNERS {
-        let (p, q) = (B::local_corner(corner), B::local_corner((corner + 1) % B::CORNERS));
+        let (p, q) = (
+            B::local_corner(corner),
+            B::local_corner((corner + 1) % B::CORNERS),
+        );
         let direction = [q[0] - p[0], q[1] - p[1]];
         let mut t = 0.5;
         for _ in 0..4 {

@@ -52,10 +52,20 @@ pub trait Model<A: Space>: Sync {
     fn face_count(&self) -> u32;
 
     /// Yields patches and nets that cover the face. Yields nothing where the face has no surface.
-    fn open(&self, face: u32, scratch: &mut Self::Scratch, sink: &mut impl Sink<Self::Patch, Self::Net>) -> Gathered;
+    fn open(
+        &self,
+        face: u32,
+        scratch: &mut Self::Scratch,
+        sink: &mut impl Sink<Self::Patch, Self::Net>,
+    ) -> Gathered;
 
     /// Splits a net by one step.
-    fn split(&self, net: &Self::Net, scratch: &mut Self::Scratch, sink: &mut impl Sink<Self::Patch, Self::Net>);
+    fn split(
+        &self,
+        net: &Self::Net,
+        scratch: &mut Self::Scratch,
+        sink: &mut impl Sink<Self::Patch, Self::Net>,
+    );
 
     /// Whether [`Model::split`] yields patches only, so that it pays to split at once, or whether
     /// the net has no useful bound yet.
@@ -66,6 +76,9 @@ pub trait Model<A: Space>: Sync {
 
     /// S - F at the irregular point of the net's piece, with its parameters.
     fn net_value(&self, net: &Self::Net) -> (A::Point, [f64; 2]);
+
+    /// F at parameters of the face, relative to the face's first corner.
+    fn mesh_point(&self, face: u32, at: [f64; 2]) -> A::Point;
 
     /// Splits the parameters of a witness into a quarter of the face, if it is measured by quarters,
     /// and local parameters.
@@ -93,11 +106,18 @@ fn gathered<'a, A: Space>(points: impl Iterator<Item = &'a A::Point>, arity: u32
 where
     A::Point: 'a,
 {
-    Gathered { size: points.map(|p| A::magnitude(p)).fold(0.0, f64::max), arity }
+    Gathered {
+        size: points.map(|p| A::magnitude(p)).fold(0.0, f64::max),
+        arity,
+    }
 }
 
 fn largest_valence(topology: &Topology, face: u32) -> u32 {
-    topology.halfedges(face).map(|h| topology.valence(topology.origin(h))).max().unwrap_or(0)
+    topology
+        .halfedges(face)
+        .map(|h| topology.valence(topology.origin(h)))
+        .max()
+        .unwrap_or(0)
 }
 
 /// Loop's scheme. Parameters `(v, w)` on the unit triangle, v towards the face's second corner and w
@@ -119,7 +139,10 @@ pub struct LoopScratch<V> {
 
 impl<V: Zero> Default for LoopScratch<V> {
     fn default() -> Self {
-        LoopScratch { net: TriangleNet::default(), split: triangle_net::Scratch::default() }
+        LoopScratch {
+            net: TriangleNet::default(),
+            split: triangle_net::Scratch::default(),
+        }
     }
 }
 
@@ -132,14 +155,26 @@ impl<A: Space> Model<A> for LoopModel<'_, A> {
         self.mesh.topology.face_count()
     }
 
-    fn open(&self, face: u32, scratch: &mut Self::Scratch, sink: &mut impl Sink<Self::Patch, Self::Net>) -> Gathered {
+    fn open(
+        &self,
+        face: u32,
+        scratch: &mut Self::Scratch,
+        sink: &mut impl Sink<Self::Patch, Self::Net>,
+    ) -> Gathered {
         let (topology, limit) = (self.mesh.topology, self.mesh.limit());
-        scratch.net.gather::<A>(&self.rules, topology, self.mesh.positions, face, limit);
+        scratch
+            .net
+            .gather::<A>(&self.rules, topology, self.mesh.positions, face, limit);
         triangle_net::split::<A, _>(&self.rules, &scratch.net, &mut scratch.split, sink);
         gathered::<A>(scratch.net.points(), largest_valence(topology, face) + 3)
     }
 
-    fn split(&self, net: &Self::Net, scratch: &mut Self::Scratch, sink: &mut impl Sink<Self::Patch, Self::Net>) {
+    fn split(
+        &self,
+        net: &Self::Net,
+        scratch: &mut Self::Scratch,
+        sink: &mut impl Sink<Self::Patch, Self::Net>,
+    ) {
         triangle_net::split::<A, _>(&self.rules, net, &mut scratch.split, sink);
     }
 
@@ -153,6 +188,18 @@ impl<A: Space> Model<A> for LoopModel<'_, A> {
 
     fn net_value(&self, net: &Self::Net) -> (A::Point, [f64; 2]) {
         (net.corner_difference::<A>(&self.rules), net.corners[0])
+    }
+
+    fn mesh_point(&self, face: u32, at: [f64; 2]) -> A::Point {
+        let mut net = TriangleNet::default();
+        net.gather::<A>(
+            &self.rules,
+            self.mesh.topology,
+            self.mesh.positions,
+            face,
+            self.mesh.limit(),
+        );
+        net.facet_point([&A::dyadic(at[0]), &A::dyadic(at[1])])
     }
 
     fn locate(&self, _: u32, at: [f64; 2]) -> (Option<u32>, [f64; 2]) {
@@ -197,16 +244,31 @@ impl<A: Space> Model<A> for CatmullClarkModel<'_, A> {
         self.mesh.topology.face_count()
     }
 
-    fn open(&self, face: u32, scratch: &mut Self::Scratch, sink: &mut impl Sink<Self::Patch, Self::Net>) -> Gathered {
-        let (topology, positions, limit) = (self.mesh.topology, self.mesh.positions, self.mesh.limit());
+    fn open(
+        &self,
+        face: u32,
+        scratch: &mut Self::Scratch,
+        sink: &mut impl Sink<Self::Patch, Self::Net>,
+    ) -> Gathered {
+        let (topology, positions, limit) =
+            (self.mesh.topology, self.mesh.positions, self.mesh.limit());
         let valence = largest_valence(topology, face);
         if QuadNet::<A::Point>::applies(topology, face) {
-            scratch.net.gather::<A>(&self.rules, topology, positions, face, limit);
+            scratch
+                .net
+                .gather::<A>(&self.rules, topology, positions, face, limit);
             quad_net::split::<A, _>(&self.rules, &scratch.net, &mut scratch.split, sink);
             gathered::<A>(scratch.net.points(), valence + 4)
         } else {
-            scratch.polygon.gather::<A>(&self.rules, topology, positions, face, limit);
-            quad_net::split_polygon::<A, _>(&self.rules, &scratch.polygon, &mut scratch.split, sink);
+            scratch
+                .polygon
+                .gather::<A>(&self.rules, topology, positions, face, limit);
+            quad_net::split_polygon::<A, _>(
+                &self.rules,
+                &scratch.polygon,
+                &mut scratch.split,
+                sink,
+            );
             // Face points of the fan are means of points that may lie further out: take those too.
             let (mut size, mut sides) = (0.0_f64, topology.face_size(face));
             let base = &positions[topology.origin(topology.halfedges(face).start) as usize];
@@ -221,11 +283,19 @@ impl<A: Space> Model<A> for CatmullClarkModel<'_, A> {
                 });
             }
             // The face's own size is the valence of its face point.
-            Gathered { size, arity: valence.max(sides) + sides }
+            Gathered {
+                size,
+                arity: valence.max(sides) + sides,
+            }
         }
     }
 
-    fn split(&self, net: &Self::Net, scratch: &mut Self::Scratch, sink: &mut impl Sink<Self::Patch, Self::Net>) {
+    fn split(
+        &self,
+        net: &Self::Net,
+        scratch: &mut Self::Scratch,
+        sink: &mut impl Sink<Self::Patch, Self::Net>,
+    ) {
         quad_net::split::<A, _>(&self.rules, net, &mut scratch.split, sink);
     }
 
@@ -239,11 +309,37 @@ impl<A: Space> Model<A> for CatmullClarkModel<'_, A> {
 
     fn net_value(&self, net: &Self::Net) -> (A::Point, [f64; 2]) {
         let (_, corner) = net.irregular(&self.rules);
-        (net.corner_difference::<A>(&self.rules, corner), net.corners[corner])
+        (
+            net.corner_difference::<A>(&self.rules, corner),
+            net.corners[corner],
+        )
+    }
+
+    fn mesh_point(&self, face: u32, at: [f64; 2]) -> A::Point {
+        let (topology, positions, limit) =
+            (self.mesh.topology, self.mesh.positions, self.mesh.limit());
+        let (quarter, [u, v]) = self.locate(face, at);
+        let at = [&A::dyadic(u), &A::dyadic(v)];
+        match quarter {
+            None => {
+                let mut net = QuadNet::default();
+                net.gather::<A>(&self.rules, topology, positions, face, limit);
+                net.facet_point(at)
+            }
+            Some(quarter) => {
+                let mut net = PolygonNet::default();
+                net.gather::<A>(&self.rules, topology, positions, face, limit);
+                net.facet_point(quarter as usize, at)
+            }
+        }
     }
 
     fn locate(&self, face: u32, at: [f64; 2]) -> (Option<u32>, [f64; 2]) {
-        if QuadNet::<A::Point>::applies(self.mesh.topology, face) { (None, at) } else { quarter_of(at) }
+        if QuadNet::<A::Point>::applies(self.mesh.topology, face) {
+            (None, at)
+        } else {
+            quarter_of(at)
+        }
     }
 }
 
@@ -272,8 +368,51 @@ pub struct DooSabinScratch<V> {
 
 impl<V: Zero> Default for DooSabinScratch<V> {
     fn default() -> Self {
-        DooSabinScratch { net: QuarterNet::default(), facet: Vec::new() }
+        DooSabinScratch {
+            net: QuarterNet::default(),
+            facet: Vec::new(),
+        }
     }
+}
+
+impl<A: Space> DooSabinModel<'_, A> {
+    /// F at the corners of the face.
+    fn gather_facet(&self, face: u32, scratch: &mut DooSabinScratch<A::Point>) -> Gathered {
+        let (topology, positions) = (self.mesh.topology, self.mesh.positions);
+        let halfedges = topology.halfedges(face);
+        let base = &positions[topology.origin(halfedges.start) as usize];
+        let DooSabinScratch { net, facet } = scratch;
+        let mut result = Gathered::default();
+        facet.clear();
+        for h in halfedges {
+            net.gather::<A>(topology, positions, h, base);
+            result.size = net
+                .points()
+                .map(|p| A::magnitude(p))
+                .fold(result.size, f64::max);
+            result.arity = result.arity.max(net.arity());
+            facet.push(if self.mesh.limit() {
+                net.limit(&self.rules)
+            } else {
+                A::lift(&positions[topology.origin(h) as usize], base)
+            });
+        }
+        result
+    }
+}
+
+/// F at the corners of quarter `i` of a face with corner values `facet`.
+fn quarter_facet<A: Space>(facet: &[A::Point], i: usize) -> [A::Point; 4] {
+    let m = facet.len();
+    let total = facet.iter().fold(A::Point::zero(), |total, p| total + p);
+    let center = crate::scheme::catmull_clark::face_point(&total, m as u32);
+    let (own, next, prev) = (&facet[i], &facet[(i + 1) % m], &facet[(i + m - 1) % m]);
+    [
+        own.clone(),
+        crate::bernstein::midpoint::<A::Scalar, A::Point>(own, next),
+        center,
+        crate::bernstein::midpoint::<A::Scalar, A::Point>(own, prev),
+    ]
 }
 
 impl<A: Space> Model<A> for DooSabinModel<'_, A> {
@@ -285,32 +424,23 @@ impl<A: Space> Model<A> for DooSabinModel<'_, A> {
         self.mesh.topology.face_count()
     }
 
-    fn open(&self, face: u32, scratch: &mut Self::Scratch, sink: &mut impl Sink<Self::Patch, Self::Net>) -> Gathered {
+    fn open(
+        &self,
+        face: u32,
+        scratch: &mut Self::Scratch,
+        sink: &mut impl Sink<Self::Patch, Self::Net>,
+    ) -> Gathered {
         let (topology, positions) = (self.mesh.topology, self.mesh.positions);
         let halfedges = topology.halfedges(face);
         let base = &positions[topology.origin(halfedges.start) as usize];
+        if halfedges
+            .clone()
+            .all(|h| topology.is_boundary_vertex(topology.origin(h)))
+        {
+            return Gathered::default();
+        }
+        let result = self.gather_facet(face, scratch);
         let DooSabinScratch { net, facet } = scratch;
-        let mut result = Gathered::default();
-        if halfedges.clone().all(|h| topology.is_boundary_vertex(topology.origin(h))) {
-            return result;
-        }
-        facet.clear();
-        for h in halfedges.clone() {
-            net.gather::<A>(topology, positions, h, base);
-            result.size = net.points().map(|p| A::magnitude(p)).fold(result.size, f64::max);
-            result.arity = result.arity.max(net.arity());
-            facet.push(if self.mesh.limit() {
-                net.limit(&self.rules)
-            } else {
-                A::lift(&positions[topology.origin(h) as usize], base)
-            });
-        }
-        let m = facet.len();
-        let total = facet.iter().fold(A::Point::zero(), |total, p| total + p);
-        let center = crate::scheme::catmull_clark::face_point(&total, m as u32);
-        let middle = |i: usize| {
-            crate::bernstein::midpoint::<A::Scalar, A::Point>(&facet[i % m], &facet[(i + 1) % m])
-        };
         for (i, h) in halfedges.enumerate() {
             if topology.is_boundary_vertex(topology.origin(h)) {
                 continue;
@@ -318,7 +448,7 @@ impl<A: Space> Model<A> for DooSabinModel<'_, A> {
             net.gather::<A>(topology, positions, h, base);
             let u = 2.0 * i as f64;
             net.place(
-                [facet[i].clone(), middle(i), center.clone(), middle(i + m - 1)],
+                quarter_facet::<A>(facet, i),
                 [[u, 0.0], [u + 1.0, 0.0], [u + 1.0, 1.0], [u, 1.0]],
             );
             quarter_net::split::<A, _>(&self.rules, net, sink);
@@ -326,7 +456,12 @@ impl<A: Space> Model<A> for DooSabinModel<'_, A> {
         result
     }
 
-    fn split(&self, net: &Self::Net, _: &mut Self::Scratch, sink: &mut impl Sink<Self::Patch, Self::Net>) {
+    fn split(
+        &self,
+        net: &Self::Net,
+        _: &mut Self::Scratch,
+        sink: &mut impl Sink<Self::Patch, Self::Net>,
+    ) {
         quarter_net::split::<A, _>(&self.rules, net, sink);
     }
 
@@ -340,6 +475,16 @@ impl<A: Space> Model<A> for DooSabinModel<'_, A> {
 
     fn net_value(&self, net: &Self::Net) -> (A::Point, [f64; 2]) {
         (net.corner_difference::<A::Scalar>(), net.corners[2])
+    }
+
+    fn mesh_point(&self, face: u32, at: [f64; 2]) -> A::Point {
+        let mut scratch = DooSabinScratch::default();
+        self.gather_facet(face, &mut scratch);
+        let (Some(quarter), [u, v]) = quarter_of(at) else {
+            unreachable!("a quarter")
+        };
+        let corners = quarter_facet::<A>(&scratch.facet, quarter as usize);
+        quad_net::bilinear(&corners, [&A::dyadic(u), &A::dyadic(v)])
     }
 
     fn locate(&self, _: u32, at: [f64; 2]) -> (Option<u32>, [f64; 2]) {

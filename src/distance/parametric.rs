@@ -11,7 +11,6 @@
 //! length that the mesh's distance is already known to reach) that is fixed before its block of
 //! faces begins, and blocks have fixed sizes.
 
-use num_traits::Zero;
 use rayon::prelude::*;
 
 use super::close::close;
@@ -21,6 +20,7 @@ use crate::bernstein::Patch;
 use crate::patch::rounding::{Extent, TINY};
 use crate::patch::{Corners, Sink, Space};
 use crate::scalar::float::UNIT_ROUNDOFF;
+use num_traits::Zero;
 
 /// How hard to try on one face.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +48,8 @@ pub struct FaceEnclosure<A: Space> {
     pub upper: A::Square,
     /// Parameters of the point that attains `lo`.
     pub at: [f64; 2],
+    /// S - F there.
+    pub value: A::Point,
     /// The bound on rounding errors, per coordinate.
     pub radius: f64,
     /// Whether the search ended because it was close enough.
@@ -57,7 +59,11 @@ pub struct FaceEnclosure<A: Space> {
 }
 
 enum Cell<B, N> {
-    Patch { patch: B, corners: Corners, halvings: u32 },
+    Patch {
+        patch: B,
+        corners: Corners,
+        halvings: u32,
+    },
     Net(N),
 }
 
@@ -75,6 +81,7 @@ struct Cells<A: Space, M: Model<A>> {
     fresh: Vec<M::Net>,
     lower: A::Square,
     at: [f64; 2],
+    value: A::Point,
     /// Cells with a bound up to here are closed at once.
     cutoff: A::Square,
     gap: f64,
@@ -92,6 +99,7 @@ impl<A: Space, M: Model<A>> Default for Workspace<A, M> {
                 fresh: Vec::new(),
                 lower: A::zero(),
                 at: [0.0; 2],
+                value: A::Point::zero(),
                 cutoff: A::zero(),
                 gap: 0.0,
                 steps: 0,
@@ -105,7 +113,7 @@ impl<A: Space, M: Model<A>> Default for Workspace<A, M> {
 }
 
 impl<A: Space, M: Model<A>> Cells<A, M> {
-    fn raise(&mut self, lower: A::Square, at: [f64; 2]) {
+    fn raise(&mut self, lower: A::Square, at: [f64; 2], value: &A::Point) {
         if lower > self.lower {
             let cutoff = A::relax(&lower, self.gap);
             if cutoff > self.cutoff {
@@ -113,6 +121,7 @@ impl<A: Space, M: Model<A>> Cells<A, M> {
             }
             self.lower = lower;
             self.at = at;
+            self.value = value.clone();
         }
     }
 
@@ -131,13 +140,21 @@ impl<A: Space, M: Model<A>> Cells<A, M> {
         self.halvings = self.halvings.max(halvings);
         let coefficients = patch.coefficients();
         for corner in 0..M::Patch::CORNERS {
-            self.raise(A::lower(&coefficients[M::Patch::corner_index(corner)]), corners[corner]);
+            let value = &coefficients[M::Patch::corner_index(corner)];
+            self.raise(A::lower(value), corners[corner], value);
         }
         let upper = A::largest(coefficients);
         if halvings == 0 && upper > self.largest {
             self.largest = upper.clone();
         }
-        self.push(upper, Cell::Patch { patch, corners, halvings });
+        self.push(
+            upper,
+            Cell::Patch {
+                patch,
+                corners,
+                halvings,
+            },
+        );
     }
 }
 
@@ -171,7 +188,7 @@ impl<A: Space, M: Model<A>> Workspace<A, M> {
                 self.pending.append(&mut self.cells.fresh);
             } else {
                 let (value, at) = model.net_value(&net);
-                self.cells.raise(A::lower(&value), at);
+                self.cells.raise(A::lower(&value), at, &value);
                 let upper = model.net_upper(&net);
                 self.cells.push(upper, Cell::Net(net));
             }
@@ -181,16 +198,26 @@ impl<A: Space, M: Model<A>> Workspace<A, M> {
     /// Encloses the distance over one face; `None` if the face has no surface.
     ///
     /// `mesh_radius` bounds the error of the positions, per coordinate.
-    pub fn enclose_face(&mut self, model: &M, face: u32, mesh_radius: f64, effort: Effort) -> Option<FaceEnclosure<A>> {
+    pub fn enclose_face(
+        &mut self,
+        model: &M,
+        face: u32,
+        mesh_radius: f64,
+        effort: Effort,
+    ) -> Option<FaceEnclosure<A>> {
         let cells = &mut self.cells;
         cells.queue.clear(A::zero());
         cells.fresh.clear();
-        (cells.lower, cells.at) = (A::zero(), [0.0; 2]);
+        (cells.lower, cells.at, cells.value) = (A::zero(), [0.0; 2], A::Point::zero());
         (cells.gap, cells.steps, cells.halvings) = (effort.gap, 0, 0);
         cells.largest = A::zero();
         cells.cutoff = A::relax(&A::square(effort.floor), effort.gap);
         let Gathered { size, arity } = model.open(face, &mut self.scratch, cells);
-        let extent = Extent { size, arity, mesh_radius };
+        let extent = Extent {
+            size,
+            arity,
+            mesh_radius,
+        };
         self.settle_nets(model);
         if self.cells.queue.pushed() == 0 && arity == 0 {
             return None;
@@ -209,19 +236,33 @@ impl<A: Space, M: Model<A>> Workspace<A, M> {
                 Some(_) if self.cells.queue.pushed() > effort.cells => break false,
                 Some(_) => {}
             }
-            let Some((upper, cell)) = self.cells.queue.pop() else { break true };
+            let Some((upper, cell)) = self.cells.queue.pop() else {
+                break true;
+            };
             match cell {
                 Cell::Net(net) => {
                     model.split(&net, &mut self.scratch, &mut self.cells);
                     self.cells.spare.push(net);
                     self.settle_nets(model);
                 }
-                Cell::Patch { patch, corners, halvings } => {
+                Cell::Patch {
+                    patch,
+                    corners,
+                    halvings,
+                } => {
                     if halvings >= effort.close_after
                         && let Some(closed) = close::<A, M::Patch>(&patch)
                     {
-                        self.cells.raise(closed.lower, place::<A, M>(&corners, closed.at));
-                        let better = if closed.upper < upper { closed.upper } else { upper.clone() };
+                        self.cells.raise(
+                            closed.lower,
+                            place::<A, M>(&corners, closed.at),
+                            &closed.value,
+                        );
+                        let better = if closed.upper < upper {
+                            closed.upper
+                        } else {
+                            upper.clone()
+                        };
                         if better <= self.cells.cutoff {
                             self.cells.queue.close(better);
                             continue;
@@ -235,7 +276,11 @@ impl<A: Space, M: Model<A>> Workspace<A, M> {
         };
         let cells = &self.cells;
         let upper = cells.queue.upper();
-        let radius = extent.radius(cells.steps + 1, cells.halvings, A::estimate(&cells.largest).sqrt());
+        let radius = extent.radius(
+            cells.steps + 1,
+            cells.halvings,
+            A::estimate(&cells.largest).sqrt(),
+        );
         let [lo, hi] = A::lengths(&cells.lower, &upper, radius);
         Some(FaceEnclosure {
             lo,
@@ -243,6 +288,7 @@ impl<A: Space, M: Model<A>> Workspace<A, M> {
             lower: cells.lower.clone(),
             upper,
             at: cells.at,
+            value: cells.value.clone(),
             radius,
             met,
             cells: cells.queue.pushed(),
@@ -272,19 +318,27 @@ pub struct Goal {
 
 impl Default for Goal {
     fn default() -> Self {
-        Goal { gap: 1e-6, face_gap: None, cells: 4_000_000 }
+        Goal {
+            gap: 1e-6,
+            face_gap: None,
+            cells: 4_000_000,
+        }
     }
 }
 
 /// The point that attains the lower bound.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WitnessAt {
+#[derive(Clone, Debug)]
+pub struct WitnessAt<A: Space> {
     /// Face of the level-K mesh.
     pub face: u32,
     /// Quarter of the face, if it is measured by quarters: the place of its vertex in the face.
     pub quarter: Option<u32>,
     /// Parameters in the face or quarter.
     pub at: [f64; 2],
+    /// F there, relative to the face's first corner.
+    pub mesh_point: A::Point,
+    /// S there, relative to the face's first corner.
+    pub surface_point: A::Point,
 }
 
 /// A certified enclosure of the distance over a mesh.
@@ -297,7 +351,7 @@ pub struct MeshEnclosure<A: Space> {
     /// Squared lengths behind `lo` and `hi` (exact in exact arithmetic).
     pub squares: [A::Square; 2],
     /// Where `lo` is attained; `None` if `lo` is 0.
-    pub witness: Option<WitnessAt>,
+    pub witness: Option<WitnessAt<A>>,
     /// Whether the gap was met (or `hi` is at the level of the rounding bound).
     pub met: bool,
     /// Per-face enclosures if a face gap was asked for; `None` for faces without surface.
@@ -310,11 +364,20 @@ pub struct MeshEnclosure<A: Space> {
 
 impl<A: Space> MeshEnclosure<A> {
     fn include_lower(&mut self, face: u32, enclosure: &FaceEnclosure<A>, model: &impl Model<A>) {
-        if enclosure.lo > self.lo || (enclosure.lower > self.squares[0] && enclosure.lo >= self.lo) {
+        if enclosure.lo > self.lo || (enclosure.lower > self.squares[0] && enclosure.lo >= self.lo)
+        {
             self.lo = enclosure.lo;
             self.squares[0] = enclosure.lower.clone();
             let (quarter, at) = model.locate(face, enclosure.at);
-            self.witness = Some(WitnessAt { face, quarter, at });
+            let mesh_point = model.mesh_point(face, enclosure.at);
+            let surface_point = mesh_point.clone() + &enclosure.value;
+            self.witness = Some(WitnessAt {
+                face,
+                quarter,
+                at,
+                mesh_point,
+                surface_point,
+            });
         }
     }
 }
@@ -368,7 +431,11 @@ pub fn enclose_mesh<A: Space, M: Model<A>>(
         let end = count.min(start.saturating_add(size));
         let effort = Effort {
             gap: first_gap,
-            floor: if goal.face_gap.is_some() { 0.0 } else { result.lo },
+            floor: if goal.face_gap.is_some() {
+                0.0
+            } else {
+                result.lo
+            },
             cells: 20_000,
             close_after: if first_gap < 1e-3 { 6 } else { u32::MAX },
         };
@@ -409,13 +476,20 @@ pub fn enclose_mesh<A: Space, M: Model<A>>(
     let mut round = 0;
     while round < open.len() && !enough(result.lo, open[round].1) {
         let end = open.len().min(round + ROUND);
-        let effort = Effort { gap: 0.9 * target, floor: result.lo, cells: goal.cells, close_after: 6 };
+        let effort = Effort {
+            gap: 0.9 * target,
+            floor: result.lo,
+            cells: goal.cells,
+            close_after: 6,
+        };
         let lo = result.lo;
         let done: Vec<Option<FaceEnclosure<A>>> = open[round..end]
             .par_iter()
             .with_max_len(1)
             .map_init(Workspace::<A, M>::default, |workspace, (face, hi, _)| {
-                (!enough(lo, *hi)).then(|| workspace.enclose_face(model, *face, mesh_radius, effort)).flatten()
+                (!enough(lo, *hi))
+                    .then(|| workspace.enclose_face(model, *face, mesh_radius, effort))
+                    .flatten()
             })
             .collect();
         for ((face, hi, square), enclosure) in open[round..end].iter().zip(done) {
@@ -449,9 +523,4 @@ pub fn enclose_mesh<A: Space, M: Model<A>>(
 /// size (largest coordinate).
 pub fn is_rounding_level(hi: f64, size: f64) -> bool {
     hi <= 1e6 * UNIT_ROUNDOFF * size || hi <= 4.0 * TINY
-}
-
-#[allow(unused)]
-fn _zero_is_used<A: Space>() -> A::Point {
-    A::Point::zero()
 }

@@ -29,7 +29,10 @@ impl<Q: PartialOrd> Ord for Entry<Q> {
     fn cmp(&self, other: &Self) -> Ordering {
         // Bounds are never NaN; were one, the order would still be some order, and no claim rests
         // on the order: the result is a maximum over all cells.
-        let by_bound = self.upper.partial_cmp(&other.upper).unwrap_or(Ordering::Equal);
+        let by_bound = self
+            .upper
+            .partial_cmp(&other.upper)
+            .unwrap_or(Ordering::Equal);
         by_bound.then(other.age.cmp(&self.age))
     }
 }
@@ -50,7 +53,13 @@ pub struct Queue<Q, C> {
 impl<Q: Clone + PartialOrd, C> Queue<Q, C> {
     /// An empty queue; `zero` is a bound of nothing.
     pub fn new(zero: Q) -> Self {
-        Queue { heap: BinaryHeap::new(), cells: Vec::new(), free: Vec::new(), age: 0, closed: zero }
+        Queue {
+            heap: BinaryHeap::new(),
+            cells: Vec::new(),
+            free: Vec::new(),
+            age: 0,
+            closed: zero,
+        }
     }
 
     /// Empties the queue and keeps its memory.
@@ -74,7 +83,11 @@ impl<Q: Clone + PartialOrd, C> Queue<Q, C> {
                 self.cells.len() as u32 - 1
             }
         };
-        self.heap.push(Entry { upper, age: self.age, slot });
+        self.heap.push(Entry {
+            upper,
+            age: self.age,
+            slot,
+        });
         self.age += 1;
     }
 
@@ -89,7 +102,9 @@ impl<Q: Clone + PartialOrd, C> Queue<Q, C> {
     pub fn pop(&mut self) -> Option<(Q, C)> {
         let entry = self.heap.pop()?;
         self.free.push(entry.slot);
-        self.cells[entry.slot as usize].take().map(|cell| (entry.upper, cell))
+        self.cells[entry.slot as usize]
+            .take()
+            .map(|cell| (entry.upper, cell))
     }
 
     /// The largest open bound.

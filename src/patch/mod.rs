@@ -10,12 +10,14 @@
 //! | `quad_net` | Catmull-Clark: corners with edge neighbours and diagonals (or face points) |
 //! | `quarter_net` | Doo-Sabin: the quarter of a face at a vertex, with the faces round that vertex |
 
+pub mod certain;
 pub mod quad_net;
 pub mod quarter_net;
 pub mod rounding;
 pub mod space;
 pub mod triangle_net;
 
+pub use certain::{Enclosing, Exact};
 pub use space::{Float, Lane, Space};
 
 /// Parameters of the corners of a piece within its face; the fourth is unused on triangles.

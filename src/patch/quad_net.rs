@@ -30,7 +30,12 @@ pub struct Fan<V> {
 
 impl<V> Default for Fan<V> {
     fn default() -> Self {
-        Fan { edges: Vec::new(), across: Vec::new(), at: 0, closed: true }
+        Fan {
+            edges: Vec::new(),
+            across: Vec::new(),
+            at: 0,
+            closed: true,
+        }
     }
 }
 
@@ -51,7 +56,12 @@ impl<V> Copy for FanView<'_, V> {}
 
 impl<V> Fan<V> {
     fn view(&self) -> FanView<'_, V> {
-        FanView { edges: &self.edges, across: &self.across, at: self.at, closed: self.closed }
+        FanView {
+            edges: &self.edges,
+            across: &self.across,
+            at: self.at,
+            closed: self.closed,
+        }
     }
 
     fn clear(&mut self) {
@@ -149,7 +159,9 @@ impl<S: Field> CatmullClarkRules<S> {
     }
 
     fn interior(&self, n: usize) -> &Masks<S> {
-        self.masks[n].as_ref().expect("a mask for each interior valence of the mesh")
+        self.masks[n]
+            .as_ref()
+            .expect("a mask for each interior valence of the mesh")
     }
 
     fn is_pinned<V>(&self, fan: FanView<'_, V>) -> bool {
@@ -165,7 +177,12 @@ impl<S: Field> CatmullClarkRules<S> {
     }
 
     /// The point of a boundary vertex under `rule` (refinement or limit), `None` if interior.
-    fn on_boundary<V: Module<S>>(&self, p: &V, fan: FanView<'_, V>, rule: fn(&V, &V, &V) -> V) -> Option<V> {
+    fn on_boundary<V: Module<S>>(
+        &self,
+        p: &V,
+        fan: FanView<'_, V>,
+        rule: fn(&V, &V, &V) -> V,
+    ) -> Option<V> {
         if fan.closed {
             None
         } else if self.is_pinned(fan) {
@@ -177,21 +194,30 @@ impl<S: Field> CatmullClarkRules<S> {
 
     /// `faces` are new face points.
     fn new_vertex<V: Module<S>>(&self, p: &V, fan: FanView<'_, V>, faces: &[V]) -> V {
-        self.on_boundary(p, fan, boundary::vertex_point::<S, V>).unwrap_or_else(|| {
-            self.interior(fan.edges.len()).0.apply(p, &sum(fan.edges), &sum(faces))
-        })
+        self.on_boundary(p, fan, boundary::vertex_point::<S, V>)
+            .unwrap_or_else(|| {
+                self.interior(fan.edges.len())
+                    .0
+                    .apply(p, &sum(fan.edges), &sum(faces))
+            })
     }
 
     fn limit_quads<V: Module<S>>(&self, p: &V, fan: FanView<'_, V>) -> V {
-        self.on_boundary(p, fan, boundary::limit_point::<S, V>).unwrap_or_else(|| {
-            self.interior(fan.edges.len()).1.apply(p, &sum(fan.edges), &sum(fan.across))
-        })
+        self.on_boundary(p, fan, boundary::limit_point::<S, V>)
+            .unwrap_or_else(|| {
+                self.interior(fan.edges.len())
+                    .1
+                    .apply(p, &sum(fan.edges), &sum(fan.across))
+            })
     }
 
     fn limit_polygons<V: Module<S>>(&self, p: &V, fan: FanView<'_, V>) -> V {
-        self.on_boundary(p, fan, boundary::limit_point::<S, V>).unwrap_or_else(|| {
-            self.interior(fan.edges.len()).2.apply(p, &sum(fan.edges), &sum(fan.across))
-        })
+        self.on_boundary(p, fan, boundary::limit_point::<S, V>)
+            .unwrap_or_else(|| {
+                self.interior(fan.edges.len())
+                    .2
+                    .apply(p, &sum(fan.edges), &sum(fan.across))
+            })
     }
 }
 
@@ -222,10 +248,18 @@ fn full_fan<S: Field, V: Module<S>>(p: &V, fan: FanView<'_, V>) -> ([V; 4], [V; 
     let (e, d) = (fan.edges, fan.across);
     let mirror = |center: &V, inner: &V| center.clone() + center - inner;
     let (edges, across): ([V; 4], [V; 4]) = match e.len() {
-        4 => (std::array::from_fn(|k| e[k].clone()), std::array::from_fn(|k| d[k].clone())),
+        4 => (
+            std::array::from_fn(|k| e[k].clone()),
+            std::array::from_fn(|k| d[k].clone()),
+        ),
         3 => (
             [e[0].clone(), e[1].clone(), e[2].clone(), mirror(p, &e[1])],
-            [d[0].clone(), d[1].clone(), mirror(&e[2], &d[1]), mirror(&e[0], &d[0])],
+            [
+                d[0].clone(),
+                d[1].clone(),
+                mirror(&e[2], &d[1]),
+                mirror(&e[0], &d[0]),
+            ],
         ),
         _ => {
             // One quad (p, e0, d0, e1): (1,0) = e0, (0,1) = e1, (1,1) = d0.
@@ -286,16 +320,27 @@ impl<V> Default for Scratch<V> {
 
 impl<V> Scratch<V> {
     fn reserve(&mut self, corners: usize) {
-        self.faces.resize_with(corners.max(self.faces.len()), Vec::new);
-        self.edges.resize_with(corners.max(self.edges.len()), Vec::new);
+        self.faces
+            .resize_with(corners.max(self.faces.len()), Vec::new);
+        self.edges
+            .resize_with(corners.max(self.edges.len()), Vec::new);
     }
 }
 
 /// Walks the fan of the vertex at the origin of `h`: `edge(vertex)` for each neighbour,
 /// `across(half-edge)` for each face, counterclockwise. Returns the place of `h`'s target.
-fn walk_fan(topology: &Topology, h: u32, mut edge: impl FnMut(u32), mut across: impl FnMut(u32)) -> usize {
+fn walk_fan(
+    topology: &Topology,
+    h: u32,
+    mut edge: impl FnMut(u32),
+    mut across: impl FnMut(u32),
+) -> usize {
     let vertex = topology.origin(h);
-    let start = if topology.is_boundary_vertex(vertex) { topology.first_halfedge(vertex) } else { h };
+    let start = if topology.is_boundary_vertex(vertex) {
+        topology.first_halfedge(vertex)
+    } else {
+        h
+    };
     let (mut outgoing, mut count, mut at) = (start, 0, 0);
     loop {
         if outgoing == h {
@@ -324,7 +369,12 @@ impl<V> QuadNet<V> {
         }
         let mut quads = topology.face_size(face) == 4;
         for h in topology.halfedges(face) {
-            walk_fan(topology, h, |_| (), |out| quads &= topology.face_size(topology.face_of(out)) == 4);
+            walk_fan(
+                topology,
+                h,
+                |_| (),
+                |out| quads &= topology.face_size(topology.face_of(out)) == 4,
+            );
         }
         quads
     }
@@ -372,7 +422,11 @@ impl<V> QuadNet<V> {
 
     /// The points of the net.
     pub fn points(&self) -> impl Iterator<Item = &V> {
-        self.corner.iter().chain(self.fan.iter().flat_map(|fan| fan.edges.iter().chain(&fan.across)))
+        self.corner.iter().chain(
+            self.fan
+                .iter()
+                .flat_map(|fan| fan.edges.iter().chain(&fan.across)),
+        )
     }
 
     /// The largest squared distance of a point of the net to a corner of F: an upper bound for
@@ -404,6 +458,14 @@ impl<V> QuadNet<V> {
         rules.limit_quads(&self.corner[corner], self.fan[corner].view()) - &self.facet[corner]
     }
 
+    /// F at parameters `(u, v)` of a gathered face.
+    pub fn facet_point<S: Field>(&self, at: [&S; 2]) -> V
+    where
+        V: Module<S>,
+    {
+        bilinear(&self.facet, at)
+    }
+
     /// Number of irregular corners, and one of them.
     pub fn irregular<S: Field>(&self, rules: &CatmullClarkRules<S>) -> (usize, usize) {
         let mut found = (0, 0);
@@ -416,7 +478,36 @@ impl<V> QuadNet<V> {
     }
 }
 
+/// The bilinear interpolant of four corner values at `(u, v)`.
+pub(crate) fn bilinear<S: Field, V: Module<S>>(corners: &[V; 4], [u, v]: [&S; 2]) -> V {
+    let [a, b, c, d] = corners;
+    let (ub, vb) = (S::one() - u, S::one() - v);
+    let low = a.clone() * &ub + &(b.clone() * u);
+    let high = d.clone() * &ub + &(c.clone() * u);
+    low * &vb + &(high * v)
+}
+
 impl<V> PolygonNet<V> {
+    /// F at parameters of a quarter of a gathered face.
+    pub fn facet_point<S: Field>(&self, quarter: usize, at: [&S; 2]) -> V
+    where
+        V: Module<S>,
+    {
+        let m = self.facet.len();
+        let (own, next, prev) = (
+            &self.facet[quarter],
+            &self.facet[(quarter + 1) % m],
+            &self.facet[(quarter + m - 1) % m],
+        );
+        let corners = [
+            own.clone(),
+            midpoint::<S, V>(own, next),
+            self.facet_center.clone(),
+            midpoint::<S, V>(own, prev),
+        ];
+        bilinear(&corners, at)
+    }
+
     /// Gathers any polygon of the mesh. With `limit`, F takes the limit positions.
     pub fn gather<A>(
         &mut self,
@@ -468,7 +559,11 @@ impl<V> PolygonNet<V> {
 
     /// The points of the net.
     pub fn points(&self) -> impl Iterator<Item = &V> {
-        self.corner.iter().chain(self.fan.iter().flat_map(|fan| fan.edges.iter().chain(&fan.across)))
+        self.corner.iter().chain(
+            self.fan
+                .iter()
+                .flat_map(|fan| fan.edges.iter().chain(&fan.across)),
+        )
     }
 }
 
@@ -497,7 +592,12 @@ pub fn split<A, V>(
         let n = fan.edges.len();
         out.clear();
         out.extend(fan.across.iter().enumerate().map(|(k, diagonal)| {
-            catmull_clark::quad_point(p, &fan.edges[k], diagonal, &fan.edges[if k + 1 == n { 0 } else { k + 1 }])
+            catmull_clark::quad_point(
+                p,
+                &fan.edges[k],
+                diagonal,
+                &fan.edges[if k + 1 == n { 0 } else { k + 1 }],
+            )
         }));
     }
     let [a, b, c, d] = &net.corner;
@@ -511,7 +611,14 @@ pub fn split<A, V>(
     let faces = std::mem::take(&mut scratch.faces);
     step::<A, V>(
         rules,
-        Stage { corner: &net.corner, fan: &net.fan, faces: &faces, center, facet: &net.facet, facet_center },
+        Stage {
+            corner: &net.corner,
+            fan: &net.fan,
+            faces: &faces,
+            center,
+            facet: &net.facet,
+            facet_center,
+        },
         scratch,
         corners,
         net.steps + 1,
@@ -584,7 +691,13 @@ fn step<A, V>(
     V: Module<A::Scalar>,
 {
     let m = stage.corner.len();
-    let Scratch { edges, vertex, edge, facet_edge, .. } = scratch;
+    let Scratch {
+        edges,
+        vertex,
+        edge,
+        facet_edge,
+        ..
+    } = scratch;
     vertex.clear();
     edge.clear();
     facet_edge.clear();
@@ -593,18 +706,29 @@ fn step<A, V>(
         edge_points::<A::Scalar, V>(p, fan, faces, &mut edges[i]);
         vertex.push(rules.new_vertex(p, fan, faces));
         edge.push(edges[i][fan.at].clone());
-        facet_edge.push(midpoint::<A::Scalar, V>(&stage.facet[i], &stage.facet[(i + 1) % m]));
+        facet_edge.push(midpoint::<A::Scalar, V>(
+            &stage.facet[i],
+            &stage.facet[(i + 1) % m],
+        ));
     }
     // Fan of edge point i (from corner i to i + 1): interior edges [center, V_i, g, V_(i+1)] with
     // diagonals [e_(i-1), e(i, at - 1), e(i+1, at + 2), e_(i+1)], g the face point beyond the edge;
     // boundary [V_(i+1), center, V_i] with [e_(i+1), e_(i-1)].
     let around_edge = |i: usize| -> ([V; 4], [V; 4], bool) {
         let (next, prev) = ((i + 1) % m, (i + m - 1) % m);
-        let (a, b, center) = (vertex[i].clone(), vertex[next].clone(), stage.center.clone());
+        let (a, b, center) = (
+            vertex[i].clone(),
+            vertex[next].clone(),
+            stage.center.clone(),
+        );
         let (e_prev, e_next) = (edge[prev].clone(), edge[next].clone());
         let (fan, at, at_next) = (&stage.fan[i], stage.fan[i].at, stage.fan[next].at);
         if !fan.closed && at == 0 {
-            ([b, center, a, V::zero()], [e_next, e_prev, V::zero(), V::zero()], false)
+            (
+                [b, center, a, V::zero()],
+                [e_next, e_prev, V::zero(), V::zero()],
+                false,
+            )
         } else {
             let (n, n_next, faces) = (edges[i].len(), edges[next].len(), &stage.faces[i]);
             let beyond = faces[if at == 0 { faces.len() - 1 } else { at - 1 }].clone();
@@ -615,15 +739,27 @@ fn step<A, V>(
     };
     fn view<V>(fan: &([V; 4], [V; 4], bool), closed_at: usize, open_at: usize) -> FanView<'_, V> {
         if fan.2 {
-            FanView { edges: &fan.0, across: &fan.1, at: closed_at, closed: true }
+            FanView {
+                edges: &fan.0,
+                across: &fan.1,
+                at: closed_at,
+                closed: true,
+            }
         } else {
-            FanView { edges: &fan.0[..3], across: &fan.1[..2], at: open_at, closed: false }
+            FanView {
+                edges: &fan.0[..3],
+                across: &fan.1[..2],
+                at: open_at,
+                closed: false,
+            }
         }
     }
     // Fan of the centre: edge points 0..m with V_(k+1) between k and k + 1.
     let mut center_across = sink.spare();
     center_across.fan[0].clear();
-    center_across.fan[0].across.extend((0..m).map(|k| vertex[(k + 1) % m].clone()));
+    center_across.fan[0]
+        .across
+        .extend((0..m).map(|k| vertex[(k + 1) % m].clone()));
     let mut before = around_edge(m - 1);
     for i in 0..m {
         let prev = (i + m - 1) % m;
@@ -634,8 +770,12 @@ fn step<A, V>(
             at: stage.fan[i].at,
             closed: stage.fan[i].closed,
         };
-        let center_fan =
-            FanView { edges: edge, across: &center_across.fan[0].across, at: prev, closed: true };
+        let center_fan = FanView {
+            edges: edge,
+            across: &center_across.fan[0].across,
+            at: prev,
+            closed: true,
+        };
         let fans = [own, view(&after, 0, 1), center_fan, view(&before, 3, 0)];
         let points = [&vertex[i], &edge[i], &stage.center, &edge[prev]];
         let facet = [

@@ -75,7 +75,9 @@ impl<S: Field> DooSabinRules<S> {
     }
 
     fn child<V: Module<S>>(&self, face: &[V], corner: usize) -> V {
-        let mask = self.masks[face.len()].as_ref().expect("a mask for each face size");
+        let mask = self.masks[face.len()]
+            .as_ref()
+            .expect("a mask for each face size");
         doo_sabin::corner_point(mask, face, corner)
     }
 }
@@ -83,13 +85,22 @@ impl<S: Field> DooSabinRules<S> {
 impl<V> QuarterNet<V> {
     /// Gathers the faces round vertex `origin(h)`, beginning with the face of `h`. The vertex may be
     /// on the boundary (then only [`QuarterNet::limit`] makes sense).
-    pub fn gather<A>(&mut self, topology: &Topology, positions: &[Point<A::Scalar>], h: u32, base: &Point<A::Scalar>)
-    where
+    pub fn gather<A>(
+        &mut self,
+        topology: &Topology,
+        positions: &[Point<A::Scalar>],
+        h: u32,
+        base: &Point<A::Scalar>,
+    ) where
         A: Space<Point = V>,
         V: Module<A::Scalar>,
     {
         let vertex = topology.origin(h);
-        let start = if topology.is_boundary_vertex(vertex) { topology.first_halfedge(vertex) } else { h };
+        let start = if topology.is_boundary_vertex(vertex) {
+            topology.first_halfedge(vertex)
+        } else {
+            h
+        };
         let (mut outgoing, mut count) = (start, 0);
         loop {
             if self.faces.len() <= count {
@@ -121,7 +132,10 @@ impl<V> QuarterNet<V> {
     where
         V: Module<S>,
     {
-        let total = self.faces.iter().fold(V::zero(), |total, face| total + &rules.child(face, 0));
+        let total = self
+            .faces
+            .iter()
+            .fold(V::zero(), |total, face| total + &rules.child(face, 0));
         catmull_clark::face_point(&total, self.faces.len() as u32)
     }
 
@@ -207,7 +221,11 @@ pub fn split<A, V>(
     let faces: [Vec<V>; 4] = {
         let own_face: Vec<V> = (0..m).map(|i| rules.child(g, i)).collect();
         let vertex_face: Vec<V> = (0..n).map(own).collect();
-        let (w, a, z) = (own_face[0].clone(), own_face[1].clone(), own_face[m - 1].clone());
+        let (w, a, z) = (
+            own_face[0].clone(),
+            own_face[1].clone(),
+            own_face[m - 1].clone(),
+        );
         let left = vec![w.clone(), z, z_after, vertex_face[1].clone()];
         let right = vec![w, vertex_face[n - 1].clone(), a_before, a];
         [own_face, left, vertex_face, right]

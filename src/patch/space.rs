@@ -2,8 +2,8 @@
 
 use std::fmt::Debug;
 
-use crate::mesh::Point;
 use super::rounding;
+use crate::mesh::Point;
 use crate::scalar::{Field, Module, float};
 
 /// Points, coefficients and squared lengths of one arithmetic.
@@ -64,8 +64,6 @@ pub trait Space: Sync + 'static {
     fn coordinates(p: &Self::Point) -> [f64; 3];
     /// Nearest f64 of a squared length, for ordering and reports only.
     fn estimate(x: &Self::Square) -> f64;
-    /// Nearest f64 of a coefficient, for proposals only.
-    fn estimate_scalar(x: &Self::Scalar) -> f64;
 }
 
 /// Four `f64` lanes; the fourth is 0. Coordinates that the compiler can keep in one register.
@@ -191,9 +189,6 @@ impl Space for Float {
     }
     #[inline(always)]
     fn estimate(x: &f64) -> f64 {
-        *x
-    }
-    fn estimate_scalar(x: &f64) -> f64 {
         *x
     }
 }

@@ -26,7 +26,11 @@ pub struct Ring<V> {
 
 impl<V> Default for Ring<V> {
     fn default() -> Self {
-        Ring { points: Vec::new(), at: 0, closed: true }
+        Ring {
+            points: Vec::new(),
+            at: 0,
+            closed: true,
+        }
     }
 }
 
@@ -47,7 +51,11 @@ impl<V> Copy for RingView<'_, V> {}
 
 impl<V> Ring<V> {
     fn view(&self) -> RingView<'_, V> {
-        RingView { points: &self.points, at: self.at, closed: self.closed }
+        RingView {
+            points: &self.points,
+            at: self.at,
+            closed: self.closed,
+        }
     }
 }
 
@@ -89,11 +97,19 @@ impl<S: Field> LoopRules<S> {
     ///
     /// # Errors
     /// The valence, if and only if the arithmetic cannot represent its masks.
-    pub fn new(weights: LoopWeights, corner_rule: CornerRule, topology: &Topology) -> Result<Self, u32> {
+    pub fn new(
+        weights: LoopWeights,
+        corner_rule: CornerRule,
+        topology: &Topology,
+    ) -> Result<Self, u32> {
         let mut masks: Vec<Option<(StarMask<S>, StarMask<S>)>> = vec![None; 7];
         for vertex in 0..=topology.vertex_count() {
             // One round more than there are vertices: the valence 6 of every new vertex.
-            let n = if vertex == topology.vertex_count() { 6 } else { topology.valence(vertex) };
+            let n = if vertex == topology.vertex_count() {
+                6
+            } else {
+                topology.valence(vertex)
+            };
             let wanted = n >= 3
                 && (vertex == topology.vertex_count() || !topology.is_boundary_vertex(vertex));
             if masks.len() <= n as usize {
@@ -109,7 +125,9 @@ impl<S: Field> LoopRules<S> {
     }
 
     fn interior(&self, n: usize) -> &(StarMask<S>, StarMask<S>) {
-        self.masks[n].as_ref().expect("a mask for each interior valence of the mesh")
+        self.masks[n]
+            .as_ref()
+            .expect("a mask for each interior valence of the mesh")
     }
 
     fn is_regular<V>(&self, ring: RingView<'_, V>) -> bool {
@@ -126,7 +144,9 @@ impl<S: Field> LoopRules<S> {
 
     fn new_vertex<V: Module<S>>(&self, p: &V, ring: RingView<'_, V>) -> V {
         if ring.closed {
-            self.interior(ring.points.len()).0.apply_ring(p, &sum(ring.points))
+            self.interior(ring.points.len())
+                .0
+                .apply_ring(p, &sum(ring.points))
         } else if self.is_pinned(ring) {
             p.clone()
         } else {
@@ -136,7 +156,9 @@ impl<S: Field> LoopRules<S> {
 
     fn limit<V: Module<S>>(&self, p: &V, ring: RingView<'_, V>) -> V {
         if ring.closed {
-            self.interior(ring.points.len()).1.apply_ring(p, &sum(ring.points))
+            self.interior(ring.points.len())
+                .1
+                .apply_ring(p, &sum(ring.points))
         } else if self.is_pinned(ring) {
             p.clone()
         } else {
@@ -200,14 +222,30 @@ fn full_ring<S: Field, V: Module<S>>(p: &V, ring: RingView<'_, V>) -> [V; 6] {
 
 /// S over a triangle whose three corners are regular.
 #[inline]
-fn regular_patch<S: Field, V: Module<S>>(corner: [&V; 3], ring: [RingView<'_, V>; 3]) -> QuarticTriangle<V> {
+fn regular_patch<S: Field, V: Module<S>>(
+    corner: [&V; 3],
+    ring: [RingView<'_, V>; 3],
+) -> QuarticTriangle<V> {
     let [a, b, c] = corner;
     // From A: B, C, opposite AC, x1, x2, opposite AB; from B: C, A, opposite AB, y1, y2, opposite BC;
     // from C: A, B, opposite BC, z1, z2, opposite AC.
     let [_, _, ac, x1, x2, ab] = full_ring::<S, V>(a, ring[0]);
     let [_, _, _, y1, y2, bc] = full_ring::<S, V>(b, ring[1]);
     let [_, _, _, z1, z2, _] = full_ring::<S, V>(c, ring[2]);
-    from_net::box_spline::<S, V>(&[x2, x1, ab, a.clone(), ac, y1, b.clone(), c.clone(), z2, y2, bc, z1])
+    from_net::box_spline::<S, V>(&[
+        x2,
+        x1,
+        ab,
+        a.clone(),
+        ac,
+        y1,
+        b.clone(),
+        c.clone(),
+        z2,
+        y2,
+        bc,
+        z1,
+    ])
 }
 
 /// Scratch storage of [`split`].
@@ -218,7 +256,9 @@ pub struct Scratch<V> {
 
 impl<V> Default for Scratch<V> {
     fn default() -> Self {
-        Scratch { edges: Default::default() }
+        Scratch {
+            edges: Default::default(),
+        }
     }
 }
 
@@ -246,7 +286,11 @@ impl<V> TriangleNet<V> {
             ring.closed = !topology.is_boundary_vertex(vertex);
             ring.points.clear();
             ring.at = 0;
-            let start = if ring.closed { h } else { topology.first_halfedge(vertex) };
+            let start = if ring.closed {
+                h
+            } else {
+                topology.first_halfedge(vertex)
+            };
             let mut outgoing = start;
             loop {
                 if outgoing == h {
@@ -255,7 +299,8 @@ impl<V> TriangleNet<V> {
                 ring.points.push(lift(topology.target(outgoing)));
                 let next = topology.rotate(outgoing);
                 if next == NONE {
-                    ring.points.push(lift(topology.origin(topology.prev(outgoing))));
+                    ring.points
+                        .push(lift(topology.origin(topology.prev(outgoing))));
                     break;
                 }
                 if next == start {
@@ -283,7 +328,11 @@ impl<V> TriangleNet<V> {
         V: Module<A::Scalar>,
     {
         let mut largest = A::zero();
-        for point in self.corner.iter().chain(self.ring.iter().flat_map(|ring| &ring.points)) {
+        for point in self
+            .corner
+            .iter()
+            .chain(self.ring.iter().flat_map(|ring| &ring.points))
+        {
             for f in &self.facet {
                 let square = A::upper(&(point.clone() - f));
                 if square > largest {
@@ -294,9 +343,21 @@ impl<V> TriangleNet<V> {
         largest
     }
 
-    /// The largest coordinate of the net, for rounding bounds.
+    /// F at parameters `(v, w)` of a gathered face.
+    pub fn facet_point<S: Field>(&self, [v, w]: [&S; 2]) -> V
+    where
+        V: Module<S>,
+    {
+        let u = S::one() - v - w;
+        let [a, b, c] = &self.facet;
+        a.clone() * &u + &(b.clone() * v) + &(c.clone() * w)
+    }
+
+    /// The points of the net.
     pub fn points(&self) -> impl Iterator<Item = &V> {
-        self.corner.iter().chain(self.ring.iter().flat_map(|ring| &ring.points))
+        self.corner
+            .iter()
+            .chain(self.ring.iter().flat_map(|ring| &ring.points))
     }
 
     /// S - F at the irregular corner (corner 0 of every net that a split yields).
@@ -350,7 +411,17 @@ pub fn split<A, V>(
             let (m, n) = (scratch.edges[i].len(), scratch.edges[next].len());
             let near = scratch.edges[i][(at + m - 1) % m].clone();
             let far = scratch.edges[next][(at_next + 2) % n].clone();
-            ([e_prev, vertex[i].clone(), near, far, vertex[next].clone(), e_next], true)
+            (
+                [
+                    e_prev,
+                    vertex[i].clone(),
+                    near,
+                    far,
+                    vertex[next].clone(),
+                    e_next,
+                ],
+                true,
+            )
         }
     });
     // `at` of an edge point's ring as corner 1 of child i, as corner 2 of child i + 1, and in the
@@ -358,26 +429,43 @@ pub fn split<A, V>(
     let around = |i: usize, closed_at: usize, open_at: usize| {
         let (points, closed) = &edge_ring[i];
         if *closed {
-            RingView { points: &points[..], at: closed_at, closed: true }
+            RingView {
+                points: &points[..],
+                at: closed_at,
+                closed: true,
+            }
         } else {
-            RingView { points: &points[..4], at: open_at, closed: false }
+            RingView {
+                points: &points[..4],
+                at: open_at,
+                closed: false,
+            }
         }
     };
     let p = &net.corners;
     let middle: [[f64; 2]; 3] = std::array::from_fn(|i| mid_parameter(p[i], p[(i + 1) % 3]));
-    let facet_middle: [V; 3] = std::array::from_fn(|i| {
-        midpoint::<A::Scalar, V>(&net.facet[i], &net.facet[(i + 1) % 3])
-    });
+    let facet_middle: [V; 3] =
+        std::array::from_fn(|i| midpoint::<A::Scalar, V>(&net.facet[i], &net.facet[(i + 1) % 3]));
     for i in 0..3 {
         let (next, prev) = ((i + 1) % 3, (i + 2) % 3);
         let corners = [p[i], middle[i], middle[prev], p[i]];
-        let facet = [net.facet[i].clone(), facet_middle[i].clone(), facet_middle[prev].clone()];
-        let ring_v = RingView { points: &scratch.edges[i], at: net.ring[i].at, closed: net.ring[i].closed };
+        let facet = [
+            net.facet[i].clone(),
+            facet_middle[i].clone(),
+            facet_middle[prev].clone(),
+        ];
+        let ring_v = RingView {
+            points: &scratch.edges[i],
+            at: net.ring[i].at,
+            closed: net.ring[i].closed,
+        };
         let (ring_1, ring_2) = (around(i, 0, 2), around(prev, 4, 0));
         let _ = next;
         if regular[i] {
-            let patch =
-                regular_patch::<A::Scalar, V>([&vertex[i], edge[i], edge[prev]], [ring_v, ring_1, ring_2]);
+            let patch = regular_patch::<A::Scalar, V>(
+                [&vertex[i], edge[i], edge[prev]],
+                [ring_v, ring_1, ring_2],
+            );
             sink.patch(difference(patch, &facet), corners, net.steps + 1);
         } else {
             let mut child = sink.spare();
