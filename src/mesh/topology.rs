@@ -41,29 +41,83 @@ pub struct Topology {
 
 #[allow(missing_docs, unused_variables)] // signatures fixed first
 impl Topology {
-    pub fn from_polygons(vertex_count: usize, face_start: Vec<u32>, corners: Vec<u32>) -> Result<Self, TopologyError> { todo!() }
-    pub fn from_uniform(vertex_count: usize, arity: u32, corners: Vec<u32>) -> Result<Self, TopologyError> { todo!() }
-    pub fn vertex_count(&self) -> u32 { self.first.len() as u32 }
-    pub fn face_count(&self) -> u32 { todo!() }
-    pub fn edge_count(&self) -> u32 { self.edges.len() as u32 }
-    pub fn halfedge_count(&self) -> u32 { self.origin.len() as u32 }
-    pub fn arity(&self) -> Option<u32> { self.arity }
-    pub fn halfedges(&self, face: u32) -> Range<u32> { todo!() }
-    pub fn face_size(&self, face: u32) -> u32 { todo!() }
-    pub fn face_of(&self, h: u32) -> u32 { todo!() }
-    pub fn next(&self, h: u32) -> u32 { todo!() }
-    pub fn prev(&self, h: u32) -> u32 { todo!() }
-    pub fn origin(&self, h: u32) -> u32 { self.origin[h as usize] }
-    pub fn target(&self, h: u32) -> u32 { self.origin(self.next(h)) }
-    pub fn edge_of(&self, h: u32) -> u32 { self.edge_of[h as usize] }
-    pub fn edge_halfedges(&self, e: u32) -> [u32; 2] { self.edges[e as usize] }
-    pub fn twin(&self, h: u32) -> u32 { todo!() }
-    pub fn first_halfedge(&self, v: u32) -> u32 { self.first[v as usize] }
+    pub fn from_polygons(
+        vertex_count: usize,
+        face_start: Vec<u32>,
+        corners: Vec<u32>,
+    ) -> Result<Self, TopologyError> {
+        todo!()
+    }
+    pub fn from_uniform(
+        vertex_count: usize,
+        arity: u32,
+        corners: Vec<u32>,
+    ) -> Result<Self, TopologyError> {
+        todo!()
+    }
+    pub fn vertex_count(&self) -> u32 {
+        self.first.len() as u32
+    }
+    pub fn face_count(&self) -> u32 {
+        todo!()
+    }
+    pub fn edge_count(&self) -> u32 {
+        self.edges.len() as u32
+    }
+    pub fn halfedge_count(&self) -> u32 {
+        self.origin.len() as u32
+    }
+    pub fn arity(&self) -> Option<u32> {
+        self.arity
+    }
+    pub fn halfedges(&self, face: u32) -> Range<u32> {
+        todo!()
+    }
+    pub fn face_size(&self, face: u32) -> u32 {
+        todo!()
+    }
+    pub fn face_of(&self, h: u32) -> u32 {
+        todo!()
+    }
+    pub fn next(&self, h: u32) -> u32 {
+        todo!()
+    }
+    pub fn prev(&self, h: u32) -> u32 {
+        todo!()
+    }
+    pub fn origin(&self, h: u32) -> u32 {
+        self.origin[h as usize]
+    }
+    pub fn target(&self, h: u32) -> u32 {
+        self.origin(self.next(h))
+    }
+    pub fn edge_of(&self, h: u32) -> u32 {
+        self.edge_of[h as usize]
+    }
+    pub fn edge_halfedges(&self, e: u32) -> [u32; 2] {
+        self.edges[e as usize]
+    }
+    pub fn twin(&self, h: u32) -> u32 {
+        todo!()
+    }
+    pub fn first_halfedge(&self, v: u32) -> u32 {
+        self.first[v as usize]
+    }
     /// Number of edges at v.
-    pub fn valence(&self, v: u32) -> u32 { self.valence[v as usize] & 0x7fff_ffff }
-    pub fn is_boundary_vertex(&self, v: u32) -> bool { self.valence[v as usize] >> 31 != 0 }
-    pub fn is_closed(&self) -> bool { todo!() }
+    pub fn valence(&self, v: u32) -> u32 {
+        self.valence[v as usize] & 0x7fff_ffff
+    }
+    pub fn is_boundary_vertex(&self, v: u32) -> bool {
+        self.valence[v as usize] >> 31 != 0
+    }
+    pub fn is_closed(&self) -> bool {
+        todo!()
+    }
     /// The next outgoing half-edge counterclockwise round the origin of h: twin(prev(h)), NONE past the end of an open fan.
-    pub fn rotate(&self, h: u32) -> u32 { todo!() }
-    pub fn origins(&self) -> &[u32] { &self.origin }
+    pub fn rotate(&self, h: u32) -> u32 {
+        todo!()
+    }
+    pub fn origins(&self) -> &[u32] {
+        &self.origin
+    }
 }

@@ -1,0 +1,3 @@
+//! Polynomials in Bernstein form.
+
+pub mod conversion;
