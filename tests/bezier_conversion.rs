@@ -110,7 +110,10 @@ fn box_spline_table_follows_from_loop_subdivision() {
             for corner in [(0, 0), (1, 0), (0, 1)] {
                 let doubled = (2 * corner.0, 2 * corner.1);
                 if net.len() == 12 {
-                    assert_eq!(triangular_limit(&net, corner), triangular_limit(&refined, doubled));
+                    assert_eq!(
+                        triangular_limit(&net, corner),
+                        triangular_limit(&refined, doubled)
+                    );
                 }
             }
             net = refined;
@@ -159,7 +162,12 @@ fn refine_bicubic(net: &Lattice) -> Lattice {
         }
         let edges = mean(&[(i + 1, j), (i - 1, j), (i, j + 1), (i, j - 1)], net);
         let (x, y) = (2 * i, 2 * j);
-        let around = [(x + 1, y + 1), (x - 1, y + 1), (x - 1, y - 1), (x + 1, y - 1)];
+        let around = [
+            (x + 1, y + 1),
+            (x - 1, y + 1),
+            (x - 1, y - 1),
+            (x + 1, y - 1),
+        ];
         if let (Some(edges), Some(around)) = (edges, mean(&around, &faces)) {
             let vertex = &net[&(i, j)] / r(2, 1) + (edges + around) / r(4, 1);
             refined.insert((x, y), vertex);
@@ -193,7 +201,9 @@ fn derive_tensor<const N: usize>(
     let mut values = vec![Vec::new(); parameters.len()];
     for unit in 0..N as i64 {
         let place = |at: i64| (first + at % side, first + at / side);
-        let mut net: Lattice = (0..N as i64).map(|at| (place(at), Rational::zero())).collect();
+        let mut net: Lattice = (0..N as i64)
+            .map(|at| (place(at), Rational::zero()))
+            .collect();
         net.insert(place(unit), Rational::one());
         for _ in 0..level {
             let refined = refine(&net);
@@ -211,7 +221,9 @@ fn derive_tensor<const N: usize>(
     let basis = parameters.iter().map(|&(i, j)| {
         let (u, v) = (r(i, size), r(j, size));
         let pairs = (0..side).flat_map(|b| (0..side).map(move |a| (a, b)));
-        pairs.map(|(a, b)| bernstein(degree, a, &u) * bernstein(degree, b, &v)).collect()
+        pairs
+            .map(|(a, b)| bernstein(degree, a, &u) * bernstein(degree, b, &v))
+            .collect()
     });
     let basis: Vec<Vec<Rational>> = basis.collect();
     assert_derived(&basis, &values, rows, denominator);
@@ -220,7 +232,15 @@ fn derive_tensor<const N: usize>(
 #[test]
 fn bicubic_table_follows_from_catmull_clark() {
     let rows = &BICUBIC_ROWS;
-    derive_tensor(3, -1, 3, refine_bicubic, bicubic_limit, rows, BICUBIC_DENOMINATOR);
+    derive_tensor(
+        3,
+        -1,
+        3,
+        refine_bicubic,
+        bicubic_limit,
+        rows,
+        BICUBIC_DENOMINATOR,
+    );
 }
 
 /// One step of Doo-Sabin on the square lattice, indexed by faces: the face with lower left point
@@ -251,5 +271,13 @@ fn biquadratic_limit(net: &Lattice, (i, j): (i64, i64)) -> Rational {
 #[test]
 fn biquadratic_table_follows_from_doo_sabin() {
     let (rows, denominator) = (&BIQUADRATIC_ROWS, BIQUADRATIC_DENOMINATOR);
-    derive_tensor(2, 0, 3, refine_biquadratic, biquadratic_limit, rows, denominator);
+    derive_tensor(
+        2,
+        0,
+        3,
+        refine_biquadratic,
+        biquadratic_limit,
+        rows,
+        denominator,
+    );
 }

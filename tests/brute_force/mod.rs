@@ -1,10 +1,12 @@
 //! Subdivision of small polygon meshes the slow way: a list of faces, no local nets, no numbering.
+//! Scalar nets only.
 //! Points that a mesh doesn't determine (its rim) are `None`. Masks are written out afresh.
 #![allow(dead_code)]
 
 use std::collections::BTreeMap;
 
-use subcert::scalar::{Field, Module};
+use subcert::scalar::Field;
+use subcert::scheme::LoopWeights;
 
 /// A polygon mesh: faces as vertex indices, points where they are known.
 #[derive(Clone, Debug)]
@@ -46,7 +48,10 @@ impl<V: Clone> Mesh<V> {
                 edges.entry(edge(a, b)).or_default().push(f);
             }
         }
-        assert!(edges.values().all(|faces| faces.len() <= 2), "not a manifold");
+        assert!(
+            edges.values().all(|faces| faces.len() <= 2),
+            "not a manifold"
+        );
         edges
     }
 
@@ -72,22 +77,19 @@ impl<V: Clone> Mesh<V> {
 }
 
 /// `Σ weight · point`, or `None` if a point is missing.
-fn combine<S: Field, V: Module<S>>(
-    points: &[Option<V>],
+fn combine<S: Field>(
+    points: &[Option<S>],
     terms: impl IntoIterator<Item = (usize, S)>,
-) -> Option<V> {
-    let mut sum = V::zero();
+) -> Option<S> {
+    let mut sum = S::zero();
     for (index, weight) in terms {
-        sum = sum + &(points[index].clone()? * &weight);
+        sum += points[index].clone()? * &weight;
     }
     Some(sum)
 }
 
 /// One step of Loop; `ring_weight(n)` is b(n).
-pub fn loop_step<S: Field, V: Module<S>>(
-    mesh: &Mesh<V>,
-    ring_weight: &dyn Fn(usize) -> S,
-) -> Step<V> {
+pub fn loop_step<S: Field>(mesh: &Mesh<S>, ring_weight: &dyn Fn(usize) -> S) -> Step<S> {
     let mut points = Vec::new();
     for (v, star) in mesh.stars().into_iter().enumerate() {
         points.push(star.and_then(|star| {
@@ -107,24 +109,41 @@ pub fn loop_step<S: Field, V: Module<S>>(
         }
         edges.insert((a, b), points.len());
         let complete = faces.len() == 2;
-        points.push(if complete { combine(&mesh.points, terms) } else { None });
+        points.push(if complete {
+            combine(&mesh.points, terms)
+        } else {
+            None
+        });
     }
     let mut faces = Vec::new();
     for face in &mesh.faces {
-        let [a, b, c] = face[..] else { panic!("not a triangle") };
+        let [a, b, c] = face[..] else {
+            panic!("not a triangle")
+        };
         let [ab, bc, ca] = [edge(a, b), edge(b, c), edge(c, a)].map(|e| edges[&e]);
-        faces.extend([vec![a, ab, ca], vec![b, bc, ab], vec![c, ca, bc], vec![ab, bc, ca]]);
+        faces.extend([
+            vec![a, ab, ca],
+            vec![b, bc, ab],
+            vec![c, ca, bc],
+            vec![ab, bc, ca],
+        ]);
     }
-    Step { mesh: Mesh { faces, points }, vertex, edge: edges, face: vec![], corner: BTreeMap::new() }
+    Step {
+        mesh: Mesh { faces, points },
+        vertex,
+        edge: edges,
+        face: vec![],
+        corner: BTreeMap::new(),
+    }
 }
 
 /// One step of Catmull-Clark.
-pub fn catmull_clark_step<S: Field, V: Module<S>>(mesh: &Mesh<V>) -> Step<V> {
+pub fn catmull_clark_step<S: Field>(mesh: &Mesh<S>) -> Step<S> {
     let centroid = |face: &Vec<usize>| {
         let weight = S::ratio(1, face.len() as i64);
         combine(&mesh.points, face.iter().map(|&v| (v, weight.clone())))
     };
-    let centroids: Vec<Option<V>> = mesh.faces.iter().map(centroid).collect();
+    let centroids: Vec<Option<S>> = mesh.faces.iter().map(centroid).collect();
     let mut points = Vec::new();
     for (v, star) in mesh.stars().into_iter().enumerate() {
         points.push(star.and_then(|star| {
@@ -154,15 +173,26 @@ pub fn catmull_clark_step<S: Field, V: Module<S>>(mesh: &Mesh<V>) -> Step<V> {
         for (i, &v) in corners.iter().enumerate() {
             let next = corners[(i + 1) % corners.len()];
             let before = corners[(i + corners.len() - 1) % corners.len()];
-            faces.push(vec![v, edges[&edge(v, next)], face[f], edges[&edge(before, v)]]);
+            faces.push(vec![
+                v,
+                edges[&edge(v, next)],
+                face[f],
+                edges[&edge(before, v)],
+            ]);
         }
     }
-    Step { mesh: Mesh { faces, points }, vertex, edge: edges, face, corner: BTreeMap::new() }
+    Step {
+        mesh: Mesh { faces, points },
+        vertex,
+        edge: edges,
+        face,
+        corner: BTreeMap::new(),
+    }
 }
 
 /// One step of Doo-Sabin. The first faces of the result are the old ones; `origin` says of each
 /// face which old faces meet in it (one, two or all around a vertex).
-pub fn doo_sabin_step<S: Field, V: Module<S>>(mesh: &Mesh<V>) -> (Step<V>, Vec<Vec<usize>>) {
+pub fn doo_sabin_step<S: Field>(mesh: &Mesh<S>) -> (Step<S>, Vec<Vec<usize>>) {
     let mut points = Vec::new();
     let mut corner = BTreeMap::new();
     for (f, face) in mesh.faces.iter().enumerate() {
@@ -186,7 +216,12 @@ pub fn doo_sabin_step<S: Field, V: Module<S>>(mesh: &Mesh<V>) -> (Step<V>, Vec<V
     }
     for ((a, b), sides) in mesh.edges() {
         if let [f, g] = sides[..] {
-            faces.push(vec![corner[&(f, a)], corner[&(f, b)], corner[&(g, b)], corner[&(g, a)]]);
+            faces.push(vec![
+                corner[&(f, a)],
+                corner[&(f, b)],
+                corner[&(g, b)],
+                corner[&(g, a)],
+            ]);
             origin.push(sides);
         }
     }
@@ -212,7 +247,16 @@ pub fn doo_sabin_step<S: Field, V: Module<S>>(mesh: &Mesh<V>) -> (Step<V>, Vec<V
         origin.push(walk);
     }
     let mesh = Mesh { faces, points };
-    (Step { mesh, vertex: vec![], edge: BTreeMap::new(), face: vec![], corner }, origin)
+    (
+        Step {
+            mesh,
+            vertex: vec![],
+            edge: BTreeMap::new(),
+            face: vec![],
+            corner,
+        },
+        origin,
+    )
 }
 
 /// Parameters of vertices under refinement: an edge point or face point has parameters if all its
@@ -246,4 +290,30 @@ pub fn mean<S: Field>(parameters: &[&Option<[S; 2]>]) -> Option<[S; 2]> {
         sum[1] += w;
     }
     Some(sum.map(|x| x * &weight))
+}
+
+/// The valences at which all masks of a weight variant are rational, up to a largest one.
+pub fn rational_cases(largest: u32) -> Vec<(LoopWeights, u32)> {
+    let warren = (3..=largest).map(|n| (LoopWeights::Warren, n));
+    warren
+        .chain([3, 4, 6].map(|n| (LoopWeights::Original, n)))
+        .collect()
+}
+
+/// The faces of the local net as 0-based indices, from the rings of P1, P2 and P(n+1).
+pub fn loop_faces(n: usize) -> Vec<Vec<usize>> {
+    let last = n + 1;
+    let mut faces: Vec<[usize; 3]> = (2..last).map(|i| [1, i, i + 1]).collect();
+    faces.push([1, last, 2]);
+    faces.extend([
+        [2, last, n + 2],
+        [2, n + 2, n + 3],
+        [2, n + 3, n + 4],
+        [2, n + 4, 3],
+    ]);
+    faces.extend([[last, n, n + 6], [last, n + 6, n + 5], [last, n + 5, n + 2]]);
+    faces
+        .into_iter()
+        .map(|face| face.map(|label| label - 1).to_vec())
+        .collect()
 }

@@ -51,5 +51,8 @@ pub fn solve<S: Field>(a: &[Vec<S>], b: &[Vec<S>]) -> Vec<Vec<S>> {
         assert!(row.iter().all(S::is_zero), "inconsistent");
     }
     joined.truncate(columns);
-    joined.into_iter().map(|row| row[columns..].to_vec()).collect()
+    joined
+        .into_iter()
+        .map(|row| row[columns..].to_vec())
+        .collect()
 }
