@@ -1,12 +1,10 @@
 //! Subdivision of small polygon meshes the slow way: a list of faces, no local nets, no numbering.
 //! Scalar nets only.
 //! Points that a mesh doesn't determine (its rim) are `None`. Masks are written out afresh.
-#![allow(dead_code)]
 
 use std::collections::BTreeMap;
 
 use subcert::scalar::Field;
-use subcert::scheme::LoopWeights;
 
 /// A polygon mesh: faces as vertex indices, points where they are known.
 #[derive(Clone, Debug)]
@@ -290,30 +288,4 @@ pub fn mean<S: Field>(parameters: &[&Option<[S; 2]>]) -> Option<[S; 2]> {
         sum[1] += w;
     }
     Some(sum.map(|x| x * &weight))
-}
-
-/// The valences at which all masks of a weight variant are rational, up to a largest one.
-pub fn rational_cases(largest: u32) -> Vec<(LoopWeights, u32)> {
-    let warren = (3..=largest).map(|n| (LoopWeights::Warren, n));
-    warren
-        .chain([3, 4, 6].map(|n| (LoopWeights::Original, n)))
-        .collect()
-}
-
-/// The faces of the local net as 0-based indices, from the rings of P1, P2 and P(n+1).
-pub fn loop_faces(n: usize) -> Vec<Vec<usize>> {
-    let last = n + 1;
-    let mut faces: Vec<[usize; 3]> = (2..last).map(|i| [1, i, i + 1]).collect();
-    faces.push([1, last, 2]);
-    faces.extend([
-        [2, last, n + 2],
-        [2, n + 2, n + 3],
-        [2, n + 3, n + 4],
-        [2, n + 4, 3],
-    ]);
-    faces.extend([[last, n, n + 6], [last, n + 6, n + 5], [last, n + 5, n + 2]]);
-    faces
-        .into_iter()
-        .map(|face| face.map(|label| label - 1).to_vec())
-        .collect()
 }
