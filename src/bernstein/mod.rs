@@ -1,5 +1,6 @@
 //! Bernstein–Bézier patches: conversion from control nets, splitting, range.
 
+pub mod conversion;
 pub mod from_net;
 pub mod tensor;
 pub mod triangle;

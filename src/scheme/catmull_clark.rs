@@ -1,4 +1,8 @@
-//! Catmull-Clark: masks.
+//! Catmull-Clark: masks and local nets.
+
+mod local_net;
+
+pub use local_net::*;
 
 use super::StarMask;
 use crate::scalar::{Field, Module};

@@ -1,4 +1,8 @@
-//! Doo-Sabin: masks.
+//! Doo-Sabin: masks and local nets.
+
+mod local_net;
+
+pub use local_net::*;
 
 use crate::scalar::{Field, Module};
 

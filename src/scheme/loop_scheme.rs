@@ -1,4 +1,8 @@
-//! Loop's scheme: masks.
+//! Loop's scheme: masks and local nets.
+
+mod local_net;
+
+pub use local_net::*;
 
 use super::{LoopWeights, StarMask};
 use crate::scalar::{Field, Module};

@@ -11,7 +11,37 @@ use crate::scalar::{Field, Module};
 pub mod catmull_clark;
 pub mod curve;
 pub mod doo_sabin;
+pub mod linear;
 pub mod loop_scheme;
+
+pub use linear::IntegerRow;
+
+/// One of the three regular quarters that a step of refinement splits off a local net.
+///
+/// Each local net knows its own: `tile_labels`, `tile_net`, `tile_matrix`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Tile {
+    /// Towards the end of the first parameter.
+    First,
+    /// Opposite to the extraordinary corner.
+    Second,
+    /// Towards the end of the second parameter.
+    Third,
+}
+
+impl Tile {
+    /// The three tiles in order.
+    pub const ALL: [Tile; 3] = [Tile::First, Tile::Second, Tile::Third];
+
+    /// The lower left index of the tile's grid on the level-1 lattice of quad schemes.
+    pub const fn lower_left(self) -> (i32, i32) {
+        match self {
+            Tile::First => (0, -1),
+            Tile::Second => (0, 0),
+            Tile::Third => (-1, 0),
+        }
+    }
+}
 
 /// The weights of a point rule at a vertex, by the class of the neighbours.
 ///
