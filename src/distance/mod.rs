@@ -6,8 +6,10 @@
 //! | `model` | what a face of each scheme yields: patches and nets of S - F |
 //! | `close` | ends the search at a smooth maximum |
 //! | `parametric` | the supremum over a face, and over a mesh |
+//! | `measure` | from a mesh to an enclosure in its own unit |
 
 pub mod close;
+pub mod measure;
 pub mod model;
 pub mod parametric;
 pub mod search;

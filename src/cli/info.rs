@@ -1,0 +1,35 @@
+//! `subcert info`.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use subcert::mesh::summary::Summary;
+
+use super::exit::Outcome;
+
+/// Counts of a mesh.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "Example:\n  subcert info examples/meshes/bumpy_torus.obj")]
+pub struct Info {
+    /// Mesh file: .obj, .off or .ply
+    mesh: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Info {
+    pub fn run(&self) -> anyhow::Result<Outcome> {
+        let mesh = super::read(&self.mesh)?;
+        let summary = Summary::of(&mesh);
+        let mut out = std::io::stdout().lock();
+        if self.json {
+            serde_json::to_writer_pretty(&mut out, &summary)?;
+            writeln!(out)?;
+        } else {
+            write!(out, "{summary}")?;
+        }
+        out.flush()?;
+        Ok(Outcome::Done)
+    }
+}

@@ -1,0 +1,113 @@
+//! The enclosure of every face: CSV for programs, PLY for eyes.
+
+use std::io::Write;
+use std::path::Path;
+
+use crate::distance::measure::Request;
+use crate::distance::model::Against;
+use crate::mesh::io::{self, MeshError, PlyWriter};
+use crate::mesh::{Mesh, Topology};
+use crate::refine::{limit_positions, refine};
+
+/// Why the per-face file can't be written.
+#[derive(Debug, thiserror::Error)]
+pub enum FacesError {
+    /// The extension is neither `csv` nor `ply`.
+    #[error("{0}: --faces writes .csv or .ply, so name the file accordingly")]
+    Extension(String),
+    /// The file system refused.
+    #[error(transparent)]
+    File(#[from] MeshError),
+    /// The mesh can't be refined again.
+    #[error(transparent)]
+    Refine(#[from] crate::refine::RefineError),
+}
+
+/// A kind of per-face file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// `face,lo,hi`, faces from 0; empty fields where a face has no surface.
+    Csv,
+    /// The measured mesh with face properties `distance_lo`, `distance_hi` (-1 where a face has no
+    /// surface) and colours.
+    Ply,
+}
+
+impl Format {
+    /// The format that a file's extension names.
+    ///
+    /// # Errors
+    /// If and only if it is neither `csv` nor `ply`.
+    pub fn of_path(path: &Path) -> Result<Self, FacesError> {
+        match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
+            Some("csv") => Ok(Format::Csv),
+            Some("ply") => Ok(Format::Ply),
+            _ => Err(FacesError::Extension(path.display().to_string())),
+        }
+    }
+}
+
+/// Writes the enclosures of the faces of the level-K mesh.
+///
+/// # Errors
+/// If and only if the extension is unknown or the file can't be written.
+pub fn write(
+    path: &Path,
+    mesh: &Mesh,
+    values: &[Option<[f64; 2]>],
+    request: &Request,
+) -> Result<(), FacesError> {
+    match Format::of_path(path)? {
+        Format::Csv => io::write_file(path, |out| {
+            writeln!(out, "face,lo,hi")?;
+            for (face, value) in values.iter().enumerate() {
+                match value {
+                    Some([lo, hi]) => writeln!(out, "{face},{lo:?},{hi:?}")?,
+                    None => writeln!(out, "{face},,")?,
+                }
+            }
+            Ok(())
+        })?,
+        Format::Ply => {
+            let mut level = refine(request.scheme, request.corner, mesh, request.level)?;
+            if request.against == Against::Limit {
+                let Mesh { topology, positions } = &level;
+                level.positions = limit_positions::<f64, _>(request.scheme, request.corner, topology, positions)?;
+            }
+            write_ply(path, &level, values)?;
+        }
+    }
+    Ok(())
+}
+
+fn write_ply(path: &Path, mesh: &Mesh, values: &[Option<[f64; 2]>]) -> Result<(), MeshError> {
+    let side = |i: usize| -> Vec<f64> { values.iter().map(|v| v.map_or(-1.0, |v| v[i])).collect() };
+    let (lo, hi) = (side(0), side(1));
+    let largest = hi.iter().copied().fold(0.0, f64::max);
+    let colors: Vec<[u8; 3]> = hi
+        .iter()
+        .map(|&hi| if hi < 0.0 { [160; 3] } else { color(if largest > 0.0 { hi / largest } else { 0.0 }) })
+        .collect();
+    debug_assert_eq!(Topology::face_count(&mesh.topology) as usize, values.len());
+    PlyWriter::new(mesh)
+        .comment("distance_lo and distance_hi enclose the parametric distance over each face")
+        .face_number("distance_lo", &lo)
+        .face_number("distance_hi", &hi)
+        .face_colors(&colors)
+        .write(path)
+}
+
+/// A perceptually even scale from dark blue (0) over green to yellow (1).
+fn color(t: f64) -> [u8; 3] {
+    const STOPS: [[f64; 3]; 5] = [
+        [68.0, 1.0, 84.0],
+        [59.0, 82.0, 139.0],
+        [33.0, 145.0, 140.0],
+        [94.0, 201.0, 98.0],
+        [253.0, 231.0, 37.0],
+    ];
+    let x = t.clamp(0.0, 1.0) * 4.0;
+    let i = (x as usize).min(3);
+    let fraction = x - i as f64;
+    std::array::from_fn(|c| (STOPS[i][c] + fraction * (STOPS[i + 1][c] - STOPS[i][c])).round() as u8)
+}

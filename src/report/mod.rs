@@ -1,0 +1,4 @@
+//! What people and programs read: text, JSON, per-face files.
+
+pub mod faces;
+pub mod measurement;
