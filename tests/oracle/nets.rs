@@ -150,7 +150,7 @@ pub fn split_faces(mut faces: Faces, times: usize, random: &mut Random) -> Faces
     for _ in 0..times {
         let face = faces.swap_remove(random.below(faces.len()));
         let (new, n) = (
-            vertex_count(&faces).max(vertex_count(&[face.clone()])),
+            vertex_count(&faces).max(vertex_count(std::slice::from_ref(&face))),
             face.len(),
         );
         faces.extend((0..n).map(|i| vec![face[i], face[(i + 1) % n], new]));
