@@ -26,7 +26,7 @@ fn torus(n: u32, triangles: bool) -> Vec<u32> {
 
 /// Renames vertices and reorders faces by multiplication with a unit: no order is left.
 fn shuffled(corners: &[u32], arity: usize, vertices: u32) -> Vec<u32> {
-    const PRIME: u64 = 1_000_000_007;
+    const PRIME: u64 = 2_654_435_761;
     let faces = corners.len() / arity;
     let face = |f: usize| (f as u64 * PRIME % faces as u64) as usize;
     let vertex = |v: u32| (u64::from(v) * PRIME % u64::from(vertices)) as u32;
