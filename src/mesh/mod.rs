@@ -2,10 +2,12 @@
 
 pub mod io;
 pub mod point;
+pub mod summary;
 pub mod topology;
 
 pub use io::MeshError;
 pub use point::Point;
+pub use summary::Summary;
 pub use topology::{Components, Fan, NONE, Topology, TopologyError};
 
 /// A mesh: who is next to whom, and where everyone is.

@@ -135,7 +135,7 @@ fn exponent(token: &[u8]) -> Result<i64, DecimalError> {
     }
     let text = std::str::from_utf8(token).map_err(|_| DecimalError::Syntax)?;
     match text.parse() {
-        Ok(e) if -MAX_EXACT_EXPONENT <= e && e <= MAX_EXACT_EXPONENT => Ok(e),
+        Ok(e) if (-MAX_EXACT_EXPONENT..=MAX_EXACT_EXPONENT).contains(&e) => Ok(e),
         _ => Err(DecimalError::TooLong),
     }
 }

@@ -25,12 +25,13 @@ mod error;
 mod obj;
 mod off;
 mod ply;
+mod ply_writer;
 mod scan;
 
 #[allow(unused_imports)] // for the writers of tables
 pub(crate) use atomic::write_atomically;
 pub use error::MeshError;
-pub use ply::PlyWriter;
+pub use ply_writer::PlyWriter;
 
 /// A mesh from a file, and what was odd about it.
 #[derive(Clone, Debug)]
