@@ -4,7 +4,7 @@ pub mod point;
 pub mod topology;
 
 pub use point::Point;
-pub use topology::{NONE, Topology, TopologyError};
+pub use topology::{Components, Fan, NONE, Topology, TopologyError};
 
 /// A mesh: who is next to whom, and where everyone is.
 #[derive(Clone, Debug)]
