@@ -26,11 +26,19 @@ pub(crate) struct Fixed<const M: u32>;
 impl<const M: u32> Corners for Fixed<M> {
     #[inline(always)]
     fn next(self, h: u32) -> u32 {
-        if h % M == M - 1 { h.wrapping_sub(M - 1) } else { h.wrapping_add(1) }
+        if h % M == M - 1 {
+            h.wrapping_sub(M - 1)
+        } else {
+            h.wrapping_add(1)
+        }
     }
     #[inline(always)]
     fn prev(self, h: u32) -> u32 {
-        if h.is_multiple_of(M) { h.wrapping_add(M - 1) } else { h.wrapping_sub(1) }
+        if h.is_multiple_of(M) {
+            h.wrapping_add(M - 1)
+        } else {
+            h.wrapping_sub(1)
+        }
     }
     #[inline(always)]
     fn face(self, h: u32) -> u32 {
@@ -53,11 +61,19 @@ pub(crate) struct Same(pub u32);
 impl Corners for Same {
     #[inline]
     fn next(self, h: u32) -> u32 {
-        if h % self.0 == self.0 - 1 { h - (self.0 - 1) } else { h + 1 }
+        if h % self.0 == self.0 - 1 {
+            h - (self.0 - 1)
+        } else {
+            h + 1
+        }
     }
     #[inline]
     fn prev(self, h: u32) -> u32 {
-        if h.is_multiple_of(self.0) { h + (self.0 - 1) } else { h - 1 }
+        if h.is_multiple_of(self.0) {
+            h + (self.0 - 1)
+        } else {
+            h - 1
+        }
     }
     #[inline]
     fn face(self, h: u32) -> u32 {
@@ -84,12 +100,20 @@ impl Corners for Mixed<'_> {
     #[inline]
     fn next(self, h: u32) -> u32 {
         let face = self.face_of[h as usize] as usize;
-        if h + 1 == self.face_start[face + 1] { self.face_start[face] } else { h + 1 }
+        if h + 1 == self.face_start[face + 1] {
+            self.face_start[face]
+        } else {
+            h + 1
+        }
     }
     #[inline]
     fn prev(self, h: u32) -> u32 {
         let face = self.face_of[h as usize] as usize;
-        if h == self.face_start[face] { self.face_start[face + 1] - 1 } else { h - 1 }
+        if h == self.face_start[face] {
+            self.face_start[face + 1] - 1
+        } else {
+            h - 1
+        }
     }
     #[inline]
     fn face(self, h: u32) -> u32 {
@@ -157,7 +181,10 @@ impl<'a, C: Corners> View<'a, C> {
         for _ in 1..faces {
             h = self.twin(self.corners.prev(h));
         }
-        [self.origin(self.corners.next(first)), self.origin(self.corners.prev(h))]
+        [
+            self.origin(self.corners.next(first)),
+            self.origin(self.corners.prev(h)),
+        ]
     }
 }
 
@@ -180,10 +207,8 @@ macro_rules! with_view {
                 $body
             }
             Some(m) => {
-                let $view = $crate::refine::corners::View::new(
-                    $topology,
-                    $crate::refine::corners::Same(m),
-                );
+                let $view =
+                    $crate::refine::corners::View::new($topology, $crate::refine::corners::Same(m));
                 $body
             }
             None => {
@@ -208,7 +233,10 @@ fn parallel(outputs: usize) -> bool {
 
 /// `out[N i .. N i + N] = f(i)`: the same values for any number of threads.
 #[inline(always)]
-pub(crate) fn fill<T: Send, const N: usize>(out: &mut [T], f: impl Fn(u32) -> [T; N] + Sync) {
+pub(crate) fn fill<T: Send, const N: usize>(
+    out: &mut [T],
+    f: impl Fn(u32) -> [T; N] + Send + Sync,
+) {
     let (chunks, rest) = out.as_chunks_mut::<N>();
     debug_assert!(rest.is_empty());
     if parallel(chunks.len()) {
@@ -225,7 +253,12 @@ pub(crate) fn fill<T: Send, const N: usize>(out: &mut [T], f: impl Fn(u32) -> [T
 }
 
 /// Gives `buffer` the length `len`, reusing its memory; old contents may remain.
-pub(crate) fn resize<T: Copy>(buffer: &mut Vec<T>, len: usize, zero: T, fresh: fn(usize) -> Vec<T>) {
+pub(crate) fn resize<T: Copy>(
+    buffer: &mut Vec<T>,
+    len: usize,
+    zero: T,
+    fresh: fn(usize) -> Vec<T>,
+) {
     if buffer.capacity() < len {
         *buffer = fresh(len); // zeroed pages of the system, touched once
     } else {
@@ -239,9 +272,9 @@ pub(crate) fn resize<T: Copy>(buffer: &mut Vec<T>, len: usize, zero: T, fresh: f
 pub(crate) fn sections<V: Send>(
     out: &mut Vec<V>,
     n: [u32; 3],
-    a: impl Fn(u32) -> V + Sync,
-    b: impl Fn(u32) -> V + Sync,
-    c: impl Fn(u32) -> V + Sync,
+    a: impl Fn(u32) -> V + Send + Sync,
+    b: impl Fn(u32) -> V + Send + Sync,
+    c: impl Fn(u32) -> V + Send + Sync,
 ) {
     let total = n.iter().map(|&count| count as usize).sum();
     out.clear();

@@ -46,12 +46,22 @@ impl Ranks {
                 own
             })
             .collect();
-        Ranks { edge, edges, start, vertices, halfedges: next }
+        Ranks {
+            edge,
+            edges,
+            start,
+            vertices,
+            halfedges: next,
+        }
     }
 
     #[inline(always)]
     fn edge(&self, e: u32) -> u32 {
-        if self.edge.is_empty() { e } else { self.edge[e as usize] }
+        if self.edge.is_empty() {
+            e
+        } else {
+            self.edge[e as usize]
+        }
     }
 }
 
@@ -60,7 +70,12 @@ pub(super) fn connectivity<C: Corners>(view: View<'_, C>, faces: u32, fine: &mut
     let h_count = view.origin.len() as u32;
     let quads_end = h_count + 4 * ranks.edges;
     let edge_total = h_count + 2 * ranks.edges;
-    allocate(fine, ranks.halfedges as usize, edge_total as usize, view.origin.len());
+    allocate(
+        fine,
+        ranks.halfedges as usize,
+        edge_total as usize,
+        view.origin.len(),
+    );
 
     face_lists(&view, &ranks, faces, fine);
     vertex_arrays(&view, &ranks, fine);
@@ -74,7 +89,11 @@ pub(super) fn connectivity<C: Corners>(view: View<'_, C>, faces: u32, fine: &mut
     fill(&mut fine.edges[..h_usize], |h| {
         let e = view.edge_of[h as usize];
         // quad corners (a, next(b), b, next(a)): next(b) -> b is its half-edge 1, next(a) -> a is 3
-        let twin = if view.edges[e as usize][1] == NONE { NONE } else { quad(e) + 3 - 2 * view.side(h) };
+        let twin = if view.edges[e as usize][1] == NONE {
+            NONE
+        } else {
+            quad(e) + 3 - 2 * view.side(h)
+        };
         [[h, twin]]
     });
 
@@ -116,7 +135,11 @@ fn face_lists<C: Corners>(view: &View<'_, C>, ranks: &Ranks, faces: u32, fine: &
     let sizes = (0..faces)
         .map(|f| view.corners.size(f))
         .chain((0..ranks.edges).map(|_| 4))
-        .chain((0..view.first.len()).filter(|&v| ranks.start[v] != NONE).map(|v| view.valence[v]));
+        .chain(
+            (0..view.first.len())
+                .filter(|&v| ranks.start[v] != NONE)
+                .map(|v| view.valence[v]),
+        );
     let size = view.corners.size(0);
     let uniform = sizes.clone().all(|other| other == size);
     fine.arity = uniform.then_some(size);
@@ -127,7 +150,9 @@ fn face_lists<C: Corners>(view: &View<'_, C>, ranks: &Ranks, faces: u32, fine: &
     }
     let count = (faces + ranks.edges + ranks.vertices) as usize;
     fine.face_start.reserve_exact(count + 1);
-    resize(&mut fine.face_of, ranks.halfedges as usize, 0, |n| vec![0; n]);
+    resize(&mut fine.face_of, ranks.halfedges as usize, 0, |n| {
+        vec![0; n]
+    });
     let mut start = 0;
     for (f, size) in sizes.enumerate() {
         fine.face_start.push(start);

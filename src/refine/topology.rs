@@ -81,12 +81,24 @@ pub fn check(scheme: Scheme, topology: &Topology) -> Result<(), RefineError> {
     {
         let odd = (0..topology.face_count()).find(|&f| topology.face_size(f) != 3);
         let face = odd.expect("a mesh of triangles has arity 3");
-        return Err(RefineError::NotATriangle { face, size: topology.face_size(face) });
+        return Err(RefineError::NotATriangle {
+            face,
+            size: topology.face_size(face),
+        });
     }
     if scheme != Scheme::CatmullClark {
         // Boundary words have the high bit set; an isolated vertex has the word 0.
         let few = |word: u32| word == 1 || word == 2;
-        if let Some(vertex) = topology.valence.iter().position(|&word| few(word)) {
+        if topology
+            .valence
+            .iter()
+            .fold(false, |any, &word| any | few(word))
+        {
+            let vertex = topology
+                .valence
+                .iter()
+                .position(|&word| few(word))
+                .unwrap_or(0);
             return Err(RefineError::ValenceTooLow {
                 vertex: vertex as u32,
                 valence: topology.valence[vertex],
@@ -157,14 +169,26 @@ fn loop_connectivity(view: View<'_, Fixed<3>>, fine: &mut Topology) {
     let ends = |h: u32| starts(view.corners.next(h)) + 2;
     let (halves, inner) = fine.edges.split_at_mut(2 * edges);
     fill(halves, |e| halve(view.edges[e as usize], starts, ends));
-    fill(inner, |f| [[12 * f + 1, 12 * f + 11], [12 * f + 4, 12 * f + 9], [12 * f + 7, 12 * f + 10]]);
+    fill(inner, |f| {
+        [
+            [12 * f + 1, 12 * f + 11],
+            [12 * f + 4, 12 * f + 9],
+            [12 * f + 7, 12 * f + 10],
+        ]
+    });
 
     let (old, new) = fine.first.split_at_mut(vertices);
     fill(old, |v| [old_first(view.first[v as usize], starts)]);
     fill(new, |e| [ends(view.edges[e as usize][0])]);
     let (old, new) = fine.valence.split_at_mut(vertices);
     old.copy_from_slice(view.valence);
-    fill(new, |e| [if view.edges[e as usize][1] == NONE { 4 | BOUNDARY } else { 6 }]);
+    fill(new, |e| {
+        [if view.edges[e as usize][1] == NONE {
+            4 | BOUNDARY
+        } else {
+            6
+        }]
+    });
 }
 
 fn catmull_clark_connectivity<C: Corners>(view: View<'_, C>, faces: u32, fine: &mut Topology) {
@@ -172,12 +196,22 @@ fn catmull_clark_connectivity<C: Corners>(view: View<'_, C>, faces: u32, fine: &
     let (base, centres) = (vertices as u32, (vertices + edges) as u32);
     let inner = 2 * edges as u32;
     uniform(fine, 4);
-    allocate(fine, 4 * halfedges, 2 * edges + halfedges, vertices + edges + faces as usize);
+    allocate(
+        fine,
+        4 * halfedges,
+        2 * edges + halfedges,
+        vertices + edges + faces as usize,
+    );
 
     fill(&mut fine.origin, |h| {
         let before = view.edge_of[view.corners.prev(h) as usize];
         let along = view.edge_of[h as usize];
-        [view.origin[h as usize], base + along, centres + view.corners.face(h), base + before]
+        [
+            view.origin[h as usize],
+            base + along,
+            centres + view.corners.face(h),
+            base + before,
+        ]
     });
     fill(&mut fine.edge_of, |h| {
         let prev = view.corners.prev(h);
@@ -198,13 +232,23 @@ fn catmull_clark_connectivity<C: Corners>(view: View<'_, C>, faces: u32, fine: &
     let (old, new) = fine.valence.split_at_mut(vertices);
     let (new, centre) = new.split_at_mut(edges);
     old.copy_from_slice(view.valence);
-    fill(new, |e| [if view.edges[e as usize][1] == NONE { 3 | BOUNDARY } else { 4 }]);
+    fill(new, |e| {
+        [if view.edges[e as usize][1] == NONE {
+            3 | BOUNDARY
+        } else {
+            4
+        }]
+    });
     fill(centre, |f| [view.corners.size(f)]);
 }
 
 /// The half-edges of the two halves of an edge; `starts(h)` is the first half of h, `ends(h)` the second.
 #[inline(always)]
-fn halve([a, b]: [u32; 2], starts: impl Fn(u32) -> u32, ends: impl Fn(u32) -> u32) -> [[u32; 2]; 2] {
+fn halve(
+    [a, b]: [u32; 2],
+    starts: impl Fn(u32) -> u32,
+    ends: impl Fn(u32) -> u32,
+) -> [[u32; 2]; 2] {
     if b == NONE {
         [[starts(a), NONE], [ends(a), NONE]]
     } else {

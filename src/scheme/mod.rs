@@ -31,7 +31,9 @@ impl<S: Field> StarMask<S> {
     /// Applies the mask to the vertex and the sums over its neighbours.
     #[inline(always)]
     pub fn apply<V: Module<S>>(&self, center: &V, edge_sum: &V, face_sum: &V) -> V {
-        center.clone() * &self.center + &(edge_sum.clone() * &self.edge) + &(face_sum.clone() * &self.face)
+        center.clone() * &self.center
+            + &(edge_sum.clone() * &self.edge)
+            + &(face_sum.clone() * &self.face)
     }
 
     /// Applies a mask whose `face` weight is zero.
