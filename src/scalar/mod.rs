@@ -17,7 +17,9 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
+pub mod cosine;
 pub mod cyclotomic;
+pub mod environment;
 pub mod float;
 pub mod interval;
 pub mod rational;
