@@ -1,8 +1,10 @@
 //! Meshes: topology without coordinates, points without topology, and files.
 
+pub mod io;
 pub mod point;
 pub mod topology;
 
+pub use io::MeshError;
 pub use point::Point;
 pub use topology::{Components, Fan, NONE, Topology, TopologyError};
 

@@ -96,3 +96,16 @@ pub enum TopologyError {
         faces: [u32; 2],
     },
 }
+
+impl TopologyError {
+    /// The face at fault, if it is a single face's.
+    pub fn face(&self) -> Option<u32> {
+        match *self {
+            Self::FewCorners { face, .. }
+            | Self::IndexOutOfRange { face, .. }
+            | Self::RepeatedVertex { face, .. } => Some(face),
+            Self::DuplicateFace { faces: [_, face] } => Some(face),
+            _ => None,
+        }
+    }
+}
