@@ -4,5 +4,7 @@ pub mod distance;
 pub mod linalg;
 pub mod mesh;
 pub mod patch;
+pub mod refine;
+pub mod report;
 pub mod scalar;
 pub mod scheme;

@@ -31,22 +31,22 @@ const BOUNDARY: u32 = 1 << 31;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Topology {
     /// `Some(m)` if every face is an m-gon; half-edges of face f are then m f .. m f + m.
-    arity: Option<u32>,
+    pub(crate) arity: Option<u32>,
     /// First half-edge of each face, and the total; empty if `arity` is `Some`.
-    face_start: Vec<u32>,
+    pub(crate) face_start: Vec<u32>,
     /// Face of each half-edge; empty if `arity` is `Some`.
-    face_of: Vec<u32>,
+    pub(crate) face_of: Vec<u32>,
     /// Origin of each half-edge.
-    origin: Vec<u32>,
+    pub(crate) origin: Vec<u32>,
     /// Edge of each half-edge.
-    edge_of: Vec<u32>,
+    pub(crate) edge_of: Vec<u32>,
     /// Half-edges of each edge; the second is `NONE` on the boundary.
-    edges: Vec<[u32; 2]>,
+    pub(crate) edges: Vec<[u32; 2]>,
     /// An outgoing half-edge of each vertex, on the boundary the clockwise-most one (its own edge
     /// is a boundary edge); `NONE` for an isolated vertex.
-    first: Vec<u32>,
+    pub(crate) first: Vec<u32>,
     /// Number of edges at each vertex, with the high bit set on the boundary.
-    valence: Vec<u32>,
+    pub(crate) valence: Vec<u32>,
 }
 
 impl Topology {

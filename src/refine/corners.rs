@@ -1,0 +1,294 @@
+//! Flat views of a topology for the hot loops, and the loops themselves.
+
+use rayon::prelude::*;
+
+use crate::mesh::Topology;
+
+/// Marks a boundary vertex in `Topology::valence`.
+pub(crate) const BOUNDARY: u32 = 1 << 31;
+
+/// Below this many outputs threads cost more than they save.
+const PARALLEL_MINIMUM: usize = 1 << 14;
+
+/// How half-edges are arranged in faces; a type per arity, so that no loop asks.
+pub(crate) trait Corners: Copy + Send + Sync {
+    fn next(self, h: u32) -> u32;
+    fn prev(self, h: u32) -> u32;
+    fn face(self, h: u32) -> u32;
+    fn start(self, face: u32) -> u32;
+    fn size(self, face: u32) -> u32;
+}
+
+/// Every face has M corners, M known when compiling.
+#[derive(Clone, Copy)]
+pub(crate) struct Fixed<const M: u32>;
+
+impl<const M: u32> Corners for Fixed<M> {
+    #[inline(always)]
+    fn next(self, h: u32) -> u32 {
+        if h % M == M - 1 {
+            h.wrapping_sub(M - 1)
+        } else {
+            h.wrapping_add(1)
+        }
+    }
+    #[inline(always)]
+    fn prev(self, h: u32) -> u32 {
+        if h.is_multiple_of(M) {
+            h.wrapping_add(M - 1)
+        } else {
+            h.wrapping_sub(1)
+        }
+    }
+    #[inline(always)]
+    fn face(self, h: u32) -> u32 {
+        h / M
+    }
+    #[inline(always)]
+    fn start(self, face: u32) -> u32 {
+        face * M
+    }
+    #[inline(always)]
+    fn size(self, _: u32) -> u32 {
+        M
+    }
+}
+
+/// Every face has the same number of corners.
+#[derive(Clone, Copy)]
+pub(crate) struct Same(pub u32);
+
+impl Corners for Same {
+    #[inline]
+    fn next(self, h: u32) -> u32 {
+        if h % self.0 == self.0 - 1 {
+            h - (self.0 - 1)
+        } else {
+            h + 1
+        }
+    }
+    #[inline]
+    fn prev(self, h: u32) -> u32 {
+        if h.is_multiple_of(self.0) {
+            h + (self.0 - 1)
+        } else {
+            h - 1
+        }
+    }
+    #[inline]
+    fn face(self, h: u32) -> u32 {
+        h / self.0
+    }
+    #[inline]
+    fn start(self, face: u32) -> u32 {
+        face * self.0
+    }
+    #[inline]
+    fn size(self, _: u32) -> u32 {
+        self.0
+    }
+}
+
+/// Faces of several sizes.
+#[derive(Clone, Copy)]
+pub(crate) struct Mixed<'a> {
+    pub face_start: &'a [u32],
+    pub face_of: &'a [u32],
+}
+
+impl Corners for Mixed<'_> {
+    #[inline]
+    fn next(self, h: u32) -> u32 {
+        let face = self.face_of[h as usize] as usize;
+        if h + 1 == self.face_start[face + 1] {
+            self.face_start[face]
+        } else {
+            h + 1
+        }
+    }
+    #[inline]
+    fn prev(self, h: u32) -> u32 {
+        let face = self.face_of[h as usize] as usize;
+        if h == self.face_start[face] {
+            self.face_start[face + 1] - 1
+        } else {
+            h - 1
+        }
+    }
+    #[inline]
+    fn face(self, h: u32) -> u32 {
+        self.face_of[h as usize]
+    }
+    #[inline]
+    fn start(self, face: u32) -> u32 {
+        self.face_start[face as usize]
+    }
+    #[inline]
+    fn size(self, face: u32) -> u32 {
+        self.face_start[face as usize + 1] - self.face_start[face as usize]
+    }
+}
+
+/// The arrays of a topology with its arrangement of corners.
+#[derive(Clone, Copy)]
+pub(crate) struct View<'a, C> {
+    pub corners: C,
+    pub origin: &'a [u32],
+    pub edge_of: &'a [u32],
+    pub edges: &'a [[u32; 2]],
+    pub first: &'a [u32],
+    pub valence: &'a [u32],
+}
+
+impl<'a, C: Corners> View<'a, C> {
+    pub(crate) fn new(topology: &'a Topology, corners: C) -> Self {
+        View {
+            corners,
+            origin: &topology.origin,
+            edge_of: &topology.edge_of,
+            edges: &topology.edges,
+            first: &topology.first,
+            valence: &topology.valence,
+        }
+    }
+
+    /// Where `h` starts.
+    #[inline(always)]
+    pub(crate) fn origin(&self, h: u32) -> usize {
+        self.origin[h as usize] as usize
+    }
+
+    /// The other half-edge of the edge of `h`; `NONE` on the boundary.
+    #[inline(always)]
+    pub(crate) fn twin(&self, h: u32) -> u32 {
+        // h is one of the two: the exclusive or leaves the other.
+        let [a, b] = self.edges[self.edge_of[h as usize] as usize];
+        a ^ b ^ h
+    }
+
+    /// 0 if `h` is the first half-edge of its edge, 1 if the second.
+    #[inline(always)]
+    pub(crate) fn side(&self, h: u32) -> u32 {
+        u32::from(self.edges[self.edge_of[h as usize] as usize][0] != h)
+    }
+
+    /// The neighbours of a boundary vertex along the boundary.
+    #[inline]
+    pub(crate) fn boundary_neighbours(&self, v: u32) -> [usize; 2] {
+        let first = self.first[v as usize];
+        let faces = (self.valence[v as usize] & !BOUNDARY) - 1;
+        let mut h = first;
+        for _ in 1..faces {
+            h = self.twin(self.corners.prev(h));
+        }
+        [
+            self.origin(self.corners.next(first)),
+            self.origin(self.corners.prev(h)),
+        ]
+    }
+}
+
+/// Evaluates an expression over the view that fits the topology's faces.
+macro_rules! with_view {
+    ($topology:expr, $view:ident => $body:expr) => {
+        match $topology.arity {
+            Some(3) => {
+                let $view = $crate::refine::corners::View::new(
+                    $topology,
+                    $crate::refine::corners::Fixed::<3>,
+                );
+                $body
+            }
+            Some(4) => {
+                let $view = $crate::refine::corners::View::new(
+                    $topology,
+                    $crate::refine::corners::Fixed::<4>,
+                );
+                $body
+            }
+            Some(m) => {
+                let $view =
+                    $crate::refine::corners::View::new($topology, $crate::refine::corners::Same(m));
+                $body
+            }
+            None => {
+                let $view = $crate::refine::corners::View::new(
+                    $topology,
+                    $crate::refine::corners::Mixed {
+                        face_start: &$topology.face_start,
+                        face_of: &$topology.face_of,
+                    },
+                );
+                $body
+            }
+        }
+    };
+}
+pub(crate) use with_view;
+
+/// Whether `outputs` results are worth several threads here.
+fn parallel(outputs: usize) -> bool {
+    outputs >= PARALLEL_MINIMUM && rayon::current_num_threads() > 1
+}
+
+/// `out[N i .. N i + N] = f(i)`: the same values for any number of threads.
+#[inline(always)]
+pub(crate) fn fill<T: Send, const N: usize>(
+    out: &mut [T],
+    f: impl Fn(u32) -> [T; N] + Send + Sync,
+) {
+    let (chunks, rest) = out.as_chunks_mut::<N>();
+    debug_assert!(rest.is_empty());
+    if parallel(chunks.len()) {
+        chunks
+            .par_iter_mut()
+            .with_min_len(4096)
+            .enumerate()
+            .for_each(|(i, chunk)| *chunk = f(i as u32));
+    } else {
+        for (i, chunk) in chunks.iter_mut().enumerate() {
+            *chunk = f(i as u32);
+        }
+    }
+}
+
+/// Gives `buffer` the length `len`, reusing its memory; old contents may remain.
+pub(crate) fn resize<T: Copy>(
+    buffer: &mut Vec<T>,
+    len: usize,
+    zero: T,
+    fresh: fn(usize) -> Vec<T>,
+) {
+    if buffer.capacity() < len {
+        *buffer = fresh(len); // zeroed pages of the system, touched once
+    } else {
+        buffer.resize(len, zero);
+    }
+}
+
+/// Writes `a(0..n[0]), b(0..n[1]), c(0..n[2])` into `out`, one after the other: the same values for
+/// any number of threads.
+#[inline(always)]
+pub(crate) fn sections<V: Send>(
+    out: &mut Vec<V>,
+    n: [u32; 3],
+    a: impl Fn(u32) -> V + Send + Sync,
+    b: impl Fn(u32) -> V + Send + Sync,
+    c: impl Fn(u32) -> V + Send + Sync,
+) {
+    let total = n.iter().map(|&count| count as usize).sum();
+    out.clear();
+    if parallel(total) {
+        (0..n[0])
+            .into_par_iter()
+            .map(a)
+            .chain((0..n[1]).into_par_iter().map(b))
+            .chain((0..n[2]).into_par_iter().map(c))
+            .collect_into_vec(out);
+    } else {
+        out.reserve_exact(total);
+        out.extend((0..n[0]).map(a));
+        out.extend((0..n[1]).map(b));
+        out.extend((0..n[2]).map(c));
+    }
+}

@@ -1,0 +1,4 @@
+//! Refinement against exact identities and second ways.
+
+mod connectivity;
+mod meshes;
