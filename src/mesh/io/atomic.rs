@@ -2,7 +2,40 @@
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+
+/// Files being written aside, for [`remove_unfinished_files`].
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Removes what unfinished writing has left aside; for a program that is about to be interrupted.
+/// Writing that goes on afterwards fails and leaves the old file as it was.
+pub fn remove_unfinished_files() {
+    let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+    for path in unfinished.drain(..) {
+        // Gone already, or gone by the writer's own hand: both are what is wanted.
+        let _ = fs::remove_file(path);
+    }
+}
+
+/// Keeps a path on the list for as long as it lives.
+struct Listed(PathBuf);
+
+impl Listed {
+    fn new(path: &Path) -> Self {
+        let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+        unfinished.push(path.to_path_buf());
+        Listed(path.to_path_buf())
+    }
+}
+
+impl Drop for Listed {
+    fn drop(&mut self) {
+        let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+        unfinished.retain(|path| *path != self.0);
+    }
+}
 
 /// Writes a file aside, in the same folder, and renames it when all of it is on the disk.
 ///
@@ -11,7 +44,6 @@ use std::path::Path;
 ///
 /// # Errors
 /// If and only if `content` or the file system fails; nothing half-written is left behind.
-#[allow(dead_code)]
 pub(crate) fn write_atomically(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -46,7 +78,9 @@ pub(crate) fn write_atomically(
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    let mut out = BufWriter::with_capacity(1 << 16, builder.tempfile_in(folder)?);
+    let aside = builder.tempfile_in(folder)?;
+    let _listed = Listed::new(aside.path());
+    let mut out = BufWriter::with_capacity(1 << 16, aside);
     content(&mut out)?;
     let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
     if let Some(existing) = existing {

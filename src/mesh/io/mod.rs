@@ -28,8 +28,8 @@ mod ply;
 mod ply_writer;
 mod scan;
 
-#[allow(unused_imports)] // for the writers of tables
-pub(crate) use atomic::write_atomically;
+pub use atomic::remove_unfinished_files;
+use atomic::write_atomically;
 pub use error::MeshError;
 pub use ply_writer::PlyWriter;
 
@@ -98,6 +98,21 @@ pub fn read_exact(path: impl AsRef<Path>) -> Result<Loaded<Rational>, MeshError>
 /// As [`read`].
 pub fn parse(bytes: &[u8], format: Format, name: &str) -> Result<Loaded, MeshError> {
     parse_as(bytes, format, Path::new(name))
+}
+
+/// Writes a file of any content, completely or not at all.
+///
+/// # Errors
+/// If and only if `content` or the file system fails; an existing file is then unchanged.
+pub fn write_file(
+    path: impl AsRef<Path>,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), MeshError> {
+    let path = path.as_ref();
+    write_atomically(path, content).map_err(|source| MeshError::Write {
+        path: path.to_path_buf(),
+        source,
+    })
 }
 
 /// Writes a mesh in the format that the extension names; PLY in binary. The file is complete or
