@@ -10,7 +10,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::field::{RealField, common_conductor, conductor, dickson_to_powers, field_degree};
 use crate::scalar::float::{power_of_two, round_down, round_up};
-use crate::scalar::{Field, Interval, Rational, Ring};
+use crate::scalar::{Decide, Field, Interval, Rational, Ring};
 
 /// Two fields are joined only if the common field has at most this degree over Q.
 ///
@@ -59,7 +59,11 @@ impl Cyclotomic {
             BigInt::one()
         } else {
             coefficients.iter().fold(denominator.clone(), |common, a| {
-                if common.is_one() { common } else { common.gcd(a) }
+                if common.is_one() {
+                    common
+                } else {
+                    common.gcd(a)
+                }
             })
         };
         if denominator.is_negative() {
@@ -88,7 +92,10 @@ impl Cyclotomic {
     /// The value as a rational; `None` if and only if it is irrational.
     pub fn to_rational(&self) -> Option<Rational> {
         match self.field {
-            None => Some(Rational::new(self.coefficients[0].clone(), self.denominator.clone())),
+            None => Some(Rational::new(
+                self.coefficients[0].clone(),
+                self.denominator.clone(),
+            )),
             Some(_) => None,
         }
     }
@@ -116,16 +123,11 @@ impl Cyclotomic {
     /// same, or one contains the other, or the common field has degree at most
     /// [`MAX_COMMON_DEGREE`].
     pub fn compatible(&self, other: &Self) -> bool {
-        self.aligned(other, MAX_COMMON_DEGREE).is_ok()
+        self.aligned(other).is_ok()
     }
 
-    /// Both values' coefficients in one field; the degree that would be needed if it is beyond
-    /// `cap`.
-    pub(super) fn aligned<'a>(
-        &'a self,
-        other: &'a Self,
-        cap: usize,
-    ) -> Result<Aligned<'a>, FieldMismatch> {
+    /// Both values' coefficients in one field, unless they are not compatible.
+    pub(super) fn aligned<'a>(&'a self, other: &'a Self) -> Result<Aligned<'a>, FieldMismatch> {
         let borrowed = |field| Aligned {
             field,
             left: Cow::Borrowed(&self.coefficients[..]),
@@ -136,9 +138,12 @@ impl Cyclotomic {
             (Some(a), Some(b)) if a.n == b.n => return Ok(borrowed(Some(a))),
             (Some(a), Some(b)) => (a, b),
         };
-        let mismatch = |degree| FieldMismatch { valences: (a.n, b.n), degree };
+        let mismatch = |degree| FieldMismatch {
+            valences: (a.n, b.n),
+            degree,
+        };
         let n = common_conductor(a.n, b.n).ok_or(mismatch(None))?;
-        if n != a.n && n != b.n && field_degree(n) > cap {
+        if n != a.n && n != b.n && field_degree(n) > MAX_COMMON_DEGREE {
             return Err(mismatch(Some(field_degree(n))));
         }
         let field = RealField::get(n);
@@ -228,22 +233,41 @@ impl Cyclotomic {
     }
 
     /// The order of the two numbers, whatever their fields.
-    ///
-    /// Equal numbers of fields beyond [`MAX_COMMON_DEGREE`] are slow to compare.
     pub fn compare(&self, other: &Self) -> Ordering {
-        if !self.compatible(other) {
-            for bits in [64, 256, 1024] {
-                let ((a_inf, a_sup), (b_inf, b_sup)) =
-                    (self.enclose_rational(bits), other.enclose_rational(bits));
-                if a_sup < b_inf {
-                    return Ordering::Less;
-                } else if b_sup < a_inf {
-                    return Ordering::Greater;
-                }
-            }
+        match self.sum(&-other) {
+            Ok(difference) => difference.signum().cmp(&0),
+            Err(_) => self.compare_apart(other),
         }
-        let difference = self.sum(&-other, usize::MAX);
-        difference.unwrap_or_else(|mismatch| panic!("{mismatch}")).signum().cmp(&0)
+    }
+
+    /// The order without a common field. Let x = a/p - b/q, of degree at most D, the product of
+    /// the fields' degrees. Every conjugate of the algebraic integer p q x is at most B = q |a| +
+    /// p |b| in magnitude, |a| = |a_0| + 2 Σ|a_k|, and their product is an integer. So either x = 0
+    /// or |x| >= 1 / (p q B^(D-1)): enclosures this narrow that overlap prove equality.
+    fn compare_apart(&self, other: &Self) -> Ordering {
+        let size = |x: &Self| -> BigInt {
+            let tail: BigInt = x.coefficients[1..].iter().map(Signed::abs).sum();
+            x.coefficients[0].abs() + tail * 2
+        };
+        let (p, q) = (&self.denominator, &other.denominator);
+        let conjugate = q * size(self) + p * size(other);
+        let degree = (self.field_degree() * other.field_degree()) as u64;
+        let separation = (p * q).bits() + (degree - 1) * conjugate.bits();
+        let mut bits: u32 = 64;
+        loop {
+            let (a_inf, a_sup) = self.enclose_rational(bits);
+            let (b_inf, b_sup) = other.enclose_rational(bits);
+            // Not `<`: it would recurse once per partial quotient.
+            if a_sup.decide(&b_inf) == Some(Ordering::Less) {
+                return Ordering::Less;
+            } else if b_sup.decide(&a_inf) == Some(Ordering::Less) {
+                return Ordering::Greater;
+            } else if u64::from(bits) > separation + 1 {
+                // |x| <= 2^-bits + 2^-bits < 2^-separation.
+                return Ordering::Equal;
+            }
+            bits *= 2;
+        }
     }
 
     /// The number 2 cos(2π j/n), n >= 1; see [`Field::two_cos`].
@@ -258,7 +282,11 @@ impl Cyclotomic {
         }
         let field = RealField::get(conductor(n));
         // For n = 2m, m odd, j is odd: cos(π j/m) = -cos(π (j + m)/m), and (j + m)/2 is an integer.
-        let (j, sign) = if field.n == n { (j, 1) } else { ((j + u64::from(field.n)) / 2, -1) };
+        let (j, sign) = if field.n == n {
+            (j, 1)
+        } else {
+            ((j + u64::from(field.n)) / 2, -1)
+        };
         let mut sums = field.empty_sums();
         sums[field.fold(j)] = BigInt::from(sign);
         let coefficients = field.reduce(BigInt::ZERO, sums);
@@ -283,7 +311,10 @@ pub(super) struct FieldMismatch {
 impl fmt::Display for FieldMismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (m, n) = self.valences;
-        write!(f, "exact arithmetic cannot mix the valences {m} and {n}: their common field has ")?;
+        write!(
+            f,
+            "exact arithmetic cannot mix the valences {m} and {n}: their common field has "
+        )?;
         match self.degree {
             Some(degree) => write!(f, "degree {degree}, more than {MAX_COMMON_DEGREE}")?,
             None => write!(f, "an index beyond 2^32")?,
@@ -329,7 +360,11 @@ impl fmt::Display for Cyclotomic {
                 _ => format!("{size} c{k}"),
             };
         }
-        write!(f, "({sum})/{}, ck = 2 cos(2πk/{})", self.denominator, field.n)
+        write!(
+            f,
+            "({sum})/{}, ck = 2 cos(2πk/{})",
+            self.denominator, field.n
+        )
     }
 }
 
