@@ -42,7 +42,7 @@ mod taylor {
         let mut k = 0u32;
         while !power.is_zero() {
             let term = &power / (2 * k + 1);
-            sum += if k % 2 == 0 { term } else { -term };
+            sum += if k.is_multiple_of(2) { term } else { -term };
             power /= q * q;
             k += 1;
         }
