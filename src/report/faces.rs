@@ -1,6 +1,5 @@
 //! The enclosure of every face: CSV for programs, PLY for eyes.
 
-use std::io::Write;
 use std::path::Path;
 
 use crate::distance::measure::Request;

@@ -10,6 +10,9 @@
 //! Every mask, matrix and Bézier conversion of this library is written once, over [`Field`]
 //! coefficients and [`Module`] points, and runs in all of them. Only types with [`Decide`] may
 //! answer a question of sign or order; `f64` has no such implementation.
+//!
+//! The cosines come from [`cosine`], by algebra; [`environment`] tests at run time what the first
+//! two types assume of the processor.
 
 use std::cmp::Ordering;
 use std::fmt::Debug;

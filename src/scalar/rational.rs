@@ -9,6 +9,10 @@ use num_traits::Zero;
 use super::{Decide, Field, Ring};
 
 /// A rational number in lowest terms.
+///
+/// Its `Ord` compares by continued fractions, one level of recursion per partial quotient: it is
+/// slow, and overflows the stack on nearly equal numbers of some ten thousand bits. [`Decide`]
+/// multiplies crosswise instead.
 pub type Rational = num_rational::BigRational;
 
 impl Ring for Rational {
@@ -39,6 +43,8 @@ impl Field for Rational {
 
 impl Decide for Rational {
     fn decide(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
+        // Denominators are positive: p/q < r/s if and only if p s < r q.
+        let left = self.numer() * other.denom();
+        Some(left.cmp(&(other.numer() * self.denom())))
     }
 }

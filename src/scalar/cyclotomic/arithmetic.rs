@@ -6,19 +6,19 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
-use super::element::{Cyclotomic, FieldMismatch, MAX_COMMON_DEGREE};
+use super::element::{Cyclotomic, FieldMismatch};
 use super::field::RealField;
 use crate::scalar::{Decide, Field, Rational, Ring};
 
 impl Cyclotomic {
     /// The sum; `None` if and only if the operands are not [`Cyclotomic::compatible`].
     pub fn checked_add(&self, other: &Self) -> Option<Self> {
-        self.sum(other, MAX_COMMON_DEGREE).ok()
+        self.sum(other).ok()
     }
 
     /// The difference; `None` if and only if the operands are not [`Cyclotomic::compatible`].
     pub fn checked_sub(&self, other: &Self) -> Option<Self> {
-        self.sum(&-other, MAX_COMMON_DEGREE).ok()
+        self.sum(&-other).ok()
     }
 
     /// The product; `None` if and only if the operands are not [`Cyclotomic::compatible`].
@@ -32,9 +32,8 @@ impl Cyclotomic {
         self.product(&other.inverse()?).ok()
     }
 
-    /// The sum in the common field, of degree at most `cap`.
-    pub(super) fn sum(&self, other: &Self, cap: usize) -> Result<Self, FieldMismatch> {
-        let both = self.aligned(other, cap)?;
+    pub(super) fn sum(&self, other: &Self) -> Result<Self, FieldMismatch> {
+        let both = self.aligned(other)?;
         let (p, q) = (&self.denominator, &other.denominator);
         let same = p == q;
         let length = both.left.len().max(both.right.len());
@@ -52,7 +51,7 @@ impl Cyclotomic {
     }
 
     fn product(&self, other: &Self) -> Result<Self, FieldMismatch> {
-        let both = self.aligned(other, MAX_COMMON_DEGREE)?;
+        let both = self.aligned(other)?;
         let coefficients = multiply(both.field, &both.left, &both.right);
         Ok(Self::normal(
             both.field,
@@ -134,10 +133,10 @@ macro_rules! operator {
 }
 
 operator!(Add, add, AddAssign, add_assign, |a, b| unless_mismatched(
-    a.sum(b, MAX_COMMON_DEGREE)
+    a.sum(b)
 ));
 operator!(Sub, sub, SubAssign, sub_assign, |a, b| unless_mismatched(
-    a.sum(&-b, MAX_COMMON_DEGREE)
+    a.sum(&-b)
 ));
 operator!(Mul, mul, MulAssign, mul_assign, |a, b| unless_mismatched(
     a.product(b)

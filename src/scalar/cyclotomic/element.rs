@@ -1,7 +1,6 @@
-//! An element: its coefficients, its enclosures, its sign.
+//! An element: its coefficients and the field they refer to.
 
 use std::borrow::Cow;
-use std::cmp::Ordering;
 use std::fmt;
 
 use num_bigint::BigInt;
@@ -9,8 +8,7 @@ use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
 use super::field::{RealField, common_conductor, conductor, dickson_to_powers, field_degree};
-use crate::scalar::float::{power_of_two, round_down, round_up};
-use crate::scalar::{Field, Interval, Rational, Ring};
+use crate::scalar::{Field, Rational, Ring};
 
 /// Two fields are joined only if the common field has at most this degree over Q.
 ///
@@ -123,16 +121,11 @@ impl Cyclotomic {
     /// same, or one contains the other, or the common field has degree at most
     /// [`MAX_COMMON_DEGREE`].
     pub fn compatible(&self, other: &Self) -> bool {
-        self.aligned(other, MAX_COMMON_DEGREE).is_ok()
+        self.aligned(other).is_ok()
     }
 
-    /// Both values' coefficients in one field; the degree that would be needed if it is beyond
-    /// `cap`.
-    pub(super) fn aligned<'a>(
-        &'a self,
-        other: &'a Self,
-        cap: usize,
-    ) -> Result<Aligned<'a>, FieldMismatch> {
+    /// Both values' coefficients in one field, unless they are not compatible.
+    pub(super) fn aligned<'a>(&'a self, other: &'a Self) -> Result<Aligned<'a>, FieldMismatch> {
         let borrowed = |field| Aligned {
             field,
             left: Cow::Borrowed(&self.coefficients[..]),
@@ -148,7 +141,7 @@ impl Cyclotomic {
             degree,
         };
         let n = common_conductor(a.n, b.n).ok_or(mismatch(None))?;
-        if n != a.n && n != b.n && field_degree(n) > cap {
+        if n != a.n && n != b.n && field_degree(n) > MAX_COMMON_DEGREE {
             return Err(mismatch(Some(field_degree(n))));
         }
         let field = RealField::get(n);
@@ -157,106 +150,6 @@ impl Cyclotomic {
             left: embed(&self.coefficients, a, field),
             right: embed(&other.coefficients, b, field),
         })
-    }
-
-    /// Rational bounds `lo <= value <= hi` with `hi - lo <= 2^-bits`.
-    pub fn enclose_rational(&self, bits: u32) -> (Rational, Rational) {
-        let Some(field) = self.field else {
-            let value = Rational::new(self.coefficients[0].clone(), self.denominator.clone());
-            return (value.clone(), value);
-        };
-        // Each C_k is within 2^-(b+1): the sum within Σ|a_k| 2^-(b+1), divided by the denominator.
-        let weight: BigInt = self.coefficients[1..].iter().map(Signed::abs).sum();
-        let extra = weight.bits().saturating_sub(self.denominator.bits()) + 1;
-        let fine = bits + u32::try_from(extra).expect("coefficients of 2^32 bits");
-        let (middle, radius, scale) = self.fixed_point(field, fine.next_multiple_of(64));
-        let over = |a: BigInt| Rational::new(a, &self.denominator << scale);
-        (over(&middle - &radius), over(middle + radius))
-    }
-
-    /// `|denominator * value - middle / 2^scale| <= radius / 2^scale`.
-    fn fixed_point(&self, field: &RealField, bits: u32) -> (BigInt, BigInt, u32) {
-        let basis = field.enclose_basis(bits);
-        let mut middle = &self.coefficients[0] << basis.scale.bits;
-        let mut weight = BigInt::ZERO;
-        for (a, c) in self.coefficients.iter().zip(&basis.values).skip(1) {
-            if !a.is_zero() {
-                middle += a * c;
-                weight += a.abs();
-            }
-        }
-        (middle, weight * &basis.scale.error, basis.scale.bits)
-    }
-
-    /// -1, 0 or 1 by the sign of the value, exactly.
-    pub fn signum(&self) -> i32 {
-        let sign = |x: &BigInt| match x.sign() {
-            num_bigint::Sign::Minus => -1,
-            num_bigint::Sign::NoSign => 0,
-            num_bigint::Sign::Plus => 1,
-        };
-        let Some(field) = self.field else {
-            return sign(&self.coefficients[0]);
-        };
-        // Two coefficients in a basis: the value is irrational, hence not 0, and this ends.
-        let mut bits = 64;
-        loop {
-            let (middle, radius, _) = self.fixed_point(field, bits);
-            if middle.magnitude() > radius.magnitude() {
-                return sign(&middle);
-            }
-            bits *= 2;
-        }
-    }
-
-    /// An enclosure by `f64`: neighbours, at worst one more; the tightest for a rational.
-    pub fn enclose(&self) -> Interval {
-        let Some(field) = self.field else {
-            let value = Rational::new(self.coefficients[0].clone(), self.denominator.clone());
-            return Interval::from_rational(&value);
-        };
-        let mut bits = 128;
-        loop {
-            let (middle, radius, scale) = self.fixed_point(field, bits);
-            // Relative accuracy 2^-64: a thousandth of a unit in the last place.
-            if middle.magnitude() > (&radius << 64u32).magnitude() {
-                let denominator = &self.denominator * power_of_two(scale);
-                let inf = Rational::new(&middle - &radius, denominator.clone());
-                let sup = Rational::new(middle + radius, denominator);
-                return Interval::new(round_down(&inf), round_up(&sup));
-            }
-            bits *= 2;
-        }
-    }
-
-    /// Whether the value lies in the interval, decided exactly.
-    pub fn lies_in(&self, interval: Interval) -> bool {
-        let end = |x: f64| Rational::from_float(x).map(|x| Cyclotomic::from_rational(&x));
-        let at_least = end(interval.inf()).is_none_or(|inf| self.compare(&inf).is_ge());
-        let at_most = end(interval.sup()).is_none_or(|sup| self.compare(&sup).is_le());
-        at_least && at_most
-    }
-
-    /// The order of the two numbers, whatever their fields.
-    ///
-    /// Equal numbers of fields beyond [`MAX_COMMON_DEGREE`] are slow to compare.
-    pub fn compare(&self, other: &Self) -> Ordering {
-        if !self.compatible(other) {
-            for bits in [64, 256, 1024] {
-                let ((a_inf, a_sup), (b_inf, b_sup)) =
-                    (self.enclose_rational(bits), other.enclose_rational(bits));
-                if a_sup < b_inf {
-                    return Ordering::Less;
-                } else if b_sup < a_inf {
-                    return Ordering::Greater;
-                }
-            }
-        }
-        let difference = self.sum(&-other, usize::MAX);
-        difference
-            .unwrap_or_else(|mismatch| panic!("{mismatch}"))
-            .signum()
-            .cmp(&0)
     }
 
     /// The number 2 cos(2π j/n), n >= 1; see [`Field::two_cos`].

@@ -221,7 +221,7 @@ fn moebius(n: usize) -> i32 {
     let factors = factorize(n);
     if factors.iter().any(|(_, multiplicity)| *multiplicity > 1) {
         0
-    } else if factors.len() % 2 == 0 {
+    } else if factors.len().is_multiple_of(2) {
         1
     } else {
         -1

@@ -14,6 +14,7 @@ mod arithmetic;
 mod element;
 mod field;
 mod inverse;
+mod order;
 
 pub use element::{Cyclotomic, MAX_COMMON_DEGREE};
 pub use field::{field_degree, minimal_polynomial};
