@@ -123,9 +123,9 @@ fn printed_matrix(n: usize) -> Vec<Vec<Rational>> {
             _ => Rational::ratio(1, 4 * valence * valence),
         };
     }
-    for row in 1..ring_size {
-        for column in 0..ring_size {
-            matrix[row][column] = shifted_ring_entry(n, row, column);
+    for (row, entries) in matrix.iter_mut().enumerate().take(ring_size).skip(1) {
+        for (column, entry) in entries.iter_mut().enumerate().take(ring_size) {
+            *entry = shifted_ring_entry(n, row, column);
         }
     }
     for (i, line) in CY_11.iter().enumerate() {

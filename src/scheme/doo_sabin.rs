@@ -31,3 +31,11 @@ pub fn corner_point<S: Field, V: Module<S>>(mask: &[S], points: &[V], corner: us
     }
     sum
 }
+
+/// The limit position of a face's centre from the sum of its n corners: the centroid.
+///
+/// Subdivision keeps it, for the corner mask's weights sum to one over each row and each column.
+#[inline]
+pub fn limit_point<S: Field, V: Module<S>>(sum: &V, n: u32) -> V {
+    sum.clone() * &S::ratio(1, i64::from(n))
+}

@@ -112,7 +112,7 @@ fn check_doo_sabin_tiles<S: Field>(n: u32) {
         let at = parameter.clone().unwrap();
         let points = face.iter().map(|&v| mesh.points[v].as_ref().unwrap());
         let sum = points.fold(S::zero(), |sum, point| sum + point);
-        limits.push((at, sum * &S::ratio(1, face.len() as i64)));
+        limits.push((at, doo_sabin::limit_point::<S, S>(&sum, face.len() as u32)));
     }
     assert_eq!(limits.len(), 17 * 17);
     let values = tensor_tile_values(2, net.clone(), |net| {

@@ -95,3 +95,31 @@ fn subdivision_keeps_the_kernel() {
         assert_eq!(exact::rank(both), rank, "Catmull-Clark N = {n}");
     }
 }
+
+/// At N = 4 they are the second differences of the 4x4 grid along both axes.
+#[test]
+fn catmull_clark_second_differences_are_those_of_the_regular_grid() {
+    let index = |i, j| match (i, j) {
+        (-1, -1) => 8,
+        _ => catmull_clark::lattice_label(4, i, j).unwrap() - 1,
+    };
+    let mut expected = Vec::new();
+    for across in -1..=2 {
+        for along in 0..=1 {
+            let terms = |at: fn(i32, i32) -> (i32, i32)| {
+                [(-1, -1), (0, 2), (1, -1)].map(|(step, weight)| {
+                    let (i, j) = at(along + step, across);
+                    (index(i, j), weight)
+                })
+            };
+            expected.push(IntegerRow::new(terms(|i, j| (i, j))));
+            expected.push(IntegerRow::new(terms(|i, j| (j, i))));
+        }
+    }
+    let mut rows = catmull_clark::second_differences(4);
+    for list in [&mut rows, &mut expected] {
+        list.sort_by(|a, b| a.terms().cmp(b.terms()));
+    }
+    rows.dedup();
+    assert_eq!(rows, expected);
+}

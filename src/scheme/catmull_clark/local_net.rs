@@ -230,7 +230,8 @@ fn matrix_of<S: Field>(n: u32, map: impl Fn(&[S]) -> Vec<S>) -> DMatrix<S> {
 /// The second-order norm M of a net is the largest norm of these. At N = 4 the first kind occurs
 /// twice and sixteen rows are distinct.
 ///
-/// Source: CY section 2.3, with the index after Lemma 7 corrected (MATH section 2).
+/// Source: CY, the norm Z of Lemma 7 and its Appendix D. The index `2[(j+2)%N]` printed after Lemma 7
+/// (it names a `V0` at j = N - 2) is a misprint for `2[(j+1)%N + 1]`, as Appendix D has it.
 pub fn second_differences(n: u32) -> Vec<IntegerRow> {
     let ring = |i| ring_label(n, i);
     let difference =
