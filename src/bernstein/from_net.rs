@@ -12,7 +12,6 @@ use crate::scalar::{Field, Module};
 ///
 /// In `f64`, with |p| <= L: each coefficient is off by at most 9 u L (one product, six sums and a
 /// division by 24 of two roundings, on weights that sum to 24).
-#[inline]
 pub fn box_spline<S: Field, V: Module<S>>(p: &[V; 12]) -> QuarticTriangle<V> {
     let [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11, p12] = p;
     let scale = S::ratio(1, 24);
@@ -62,7 +61,6 @@ pub fn box_spline<S: Field, V: Module<S>>(p: &[V; 12]) -> QuarticTriangle<V> {
 ///
 /// Along each direction `(p0 + 4 p1 + p2)/6, (4 p1 + 2 p2)/6, (2 p1 + 4 p2)/6, (p1 + 4 p2 + p3)/6`.
 /// In `f64`, with |p| <= L: off by at most 6 u L.
-#[inline]
 pub fn bicubic<S: Field, V: Module<S>>(p: &[V; 16]) -> Bicubic<V> {
     let (two, four) = (S::from_integer(2), S::from_integer(4));
     let curve = |a: &V, b: &V, c: &V, d: &V| -> [V; 4] {
@@ -88,7 +86,6 @@ pub fn bicubic<S: Field, V: Module<S>>(p: &[V; 16]) -> Bicubic<V> {
 /// net, `p[3 j + i]`, i along u.
 ///
 /// Along each direction `(p0 + p1)/2, p1, (p1 + p2)/2`. In `f64`, with |p| <= L: off by at most 2 u L.
-#[inline]
 pub fn biquadratic<S: Field, V: Module<S>>(p: &[V; 9]) -> Biquadratic<V> {
     let curve = |a: &V, b: &V, c: &V| -> [V; 3] {
         [

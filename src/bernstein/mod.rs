@@ -10,7 +10,7 @@ use crate::scalar::{Field, Module};
 /// The midpoint `(a + b) / 2`, the only operation of a de Casteljau split at 1/2.
 ///
 /// In `f64` it rounds once: `a + b` rounds, halving is exact (above the subnormals).
-#[inline(always)]
+#[inline]
 pub fn midpoint<S: Field, V: Module<S>>(a: &V, b: &V) -> V {
     (a.clone() + b) * &S::ratio(1, 2)
 }

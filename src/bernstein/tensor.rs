@@ -22,7 +22,6 @@ impl<V, const D: usize, const N: usize> Tensor<V, D, N> {
     /// coefficient (i, j) is the bilinear interpolant at (i/D, j/D).
     ///
     /// In `f64`: 4 roundings on any path, with weights of relative error u each.
-    #[inline]
     pub fn from_bilinear<S: Field>(corners: &[V; 4]) -> Self
     where
         V: Module<S>,
@@ -47,7 +46,6 @@ impl<V, const D: usize, const N: usize> Tensor<V, D, N> {
     }
 
     /// The difference of two patches, coefficient by coefficient.
-    #[inline]
     pub fn minus<S: Field>(self, other: &Self) -> Self
     where
         V: Module<S>,
@@ -83,7 +81,6 @@ impl<S: Field, V: Module<S>, const D: usize, const N: usize> Patch<S, V> for Ten
     /// The left half with corners (c0, m, m', c3) becomes (m, m', c3, c0), the right one
     /// (m, c1, c2, m') becomes (c1, c2, m', m): a split along the local u always cuts the longer
     /// side.
-    #[inline]
     fn halve(&self, corners: &[[f64; 2]; 4]) -> [(Self, [[f64; 2]; 4]); 2] {
         let mut left = self.clone();
         let mut right = self.clone();

@@ -7,7 +7,7 @@ use super::{Patch, mid_parameter, midpoint};
 use crate::scalar::{Field, Module};
 
 /// The index of coefficient `(4-j-k, j, k)`.
-#[inline(always)]
+#[inline]
 pub const fn index(j: usize, k: usize) -> usize {
     (j + k) * (j + k + 1) / 2 + k
 }
@@ -19,7 +19,6 @@ pub struct QuarticTriangle<V>(pub [V; 15]);
 impl<V> QuarticTriangle<V> {
     /// The degree-4 form of the linear patch with the given corner values:
     /// coefficient (i, j, k) is `(i f0 + j f1 + k f2) / 4`. In `f64`: 6 roundings at most.
-    #[inline]
     pub fn from_linear<S: Field>(corners: &[V; 3]) -> Self
     where
         V: Module<S>,
@@ -57,7 +56,6 @@ impl<V> QuarticTriangle<V> {
     }
 
     /// The difference of two patches, coefficient by coefficient.
-    #[inline]
     pub fn minus<S: Field>(self, other: &Self) -> Self
     where
         V: Module<S>,
@@ -94,7 +92,6 @@ impl<S: Field, V: Module<S>> Patch<S, V> for QuarticTriangle<V> {
     ///
     /// The coefficients of fixed i form a curve of degree 4 - i along that edge; each is halved by
     /// de Casteljau's algorithm.
-    #[inline]
     fn halve(&self, corners: &[[f64; 2]; 4]) -> [(Self, [[f64; 2]; 4]); 2] {
         let b = &self.0;
         let mut one = self.clone(); // (m, 0, 1)

@@ -38,7 +38,7 @@ impl<S: Ring> Zero for Point<S> {
 
 impl<S: Ring> Add for Point<S> {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn add(self, other: Self) -> Self {
         self + &other
     }
@@ -46,7 +46,7 @@ impl<S: Ring> Add for Point<S> {
 
 impl<S: Ring> Add<&Point<S>> for Point<S> {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn add(self, other: &Self) -> Self {
         let [a, b, c] = self.0;
         Point([a + &other.0[0], b + &other.0[1], c + &other.0[2]])
@@ -55,7 +55,7 @@ impl<S: Ring> Add<&Point<S>> for Point<S> {
 
 impl<S: Ring> Sub<&Point<S>> for Point<S> {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn sub(self, other: &Self) -> Self {
         let [a, b, c] = self.0;
         Point([a - &other.0[0], b - &other.0[1], c - &other.0[2]])
@@ -64,7 +64,7 @@ impl<S: Ring> Sub<&Point<S>> for Point<S> {
 
 impl<S: Ring> Mul<&S> for Point<S> {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn mul(self, factor: &S) -> Self {
         let [a, b, c] = self.0;
         Point([a * factor, b * factor, c * factor])

@@ -227,7 +227,6 @@ fn sum<V: Zero + for<'a> std::ops::Add<&'a V, Output = V>>(points: &[V]) -> V {
 }
 
 /// New edge points of all edges at a corner; `faces` are new face points.
-#[inline]
 fn edge_points<S: Field, V: Module<S>>(p: &V, fan: FanView<'_, V>, faces: &[V], out: &mut Vec<V>) {
     let n = fan.edges.len();
     out.clear();
@@ -243,7 +242,6 @@ fn edge_points<S: Field, V: Module<S>>(p: &V, fan: FanView<'_, V>, faces: &[V], 
 
 /// The four edge neighbours from the next corner on and the four diagonals, with ghosts beyond a
 /// boundary: `ghost(i, -1) = 2 (i, 0) - (i, 1)`, along both directions at a pinned corner.
-#[inline]
 fn full_fan<S: Field, V: Module<S>>(p: &V, fan: FanView<'_, V>) -> ([V; 4], [V; 4]) {
     let (e, d) = (fan.edges, fan.across);
     let mirror = |center: &V, inner: &V| center.clone() + center - inner;
@@ -280,7 +278,6 @@ fn full_fan<S: Field, V: Module<S>>(p: &V, fan: FanView<'_, V>) -> ([V; 4], [V; 
 }
 
 /// S over a quad whose four corners are regular; u towards corner 1, v towards corner 3.
-#[inline]
 fn regular_patch<S: Field, V: Module<S>>(corner: [&V; 4], fan: [FanView<'_, V>; 4]) -> Bicubic<V> {
     // Places of a corner and of its edge neighbours 2, 3 and diagonal 2 in the 4 x 4 grid 4 j + i.
     const PLACE: [[usize; 4]; 4] = [[5, 4, 1, 0], [6, 2, 7, 3], [10, 11, 14, 15], [9, 13, 8, 12]];

@@ -173,7 +173,6 @@ fn sum<V: Zero + Clone + for<'a> std::ops::Add<&'a V, Output = V>>(points: &[V])
 }
 
 /// The edge points from a corner to each of its neighbours.
-#[inline]
 fn edge_points<S: Field, V: Module<S>>(p: &V, ring: RingView<'_, V>, out: &mut Vec<V>) {
     let (r, n) = (ring.points, ring.points.len());
     out.clear();
@@ -194,7 +193,6 @@ fn edge_points<S: Field, V: Module<S>>(p: &V, ring: RingView<'_, V>, out: &mut V
 /// pinned corner also `2 p - r`. The regular masks on them give the boundary rules: at a vertex with
 /// ring r_0..r_3 the six neighbours sum to `2 (p + r_0 + r_3)`, so the limit is
 /// `(6 p + 2 p + 2 r_0 + 2 r_3) / 12 = (4 p + r_0 + r_3) / 6`.
-#[inline]
 fn full_ring<S: Field, V: Module<S>>(p: &V, ring: RingView<'_, V>) -> [V; 6] {
     let r = ring.points;
     let ghost = |end: &V, inner: &V| p.clone() + end - inner;
@@ -221,7 +219,6 @@ fn full_ring<S: Field, V: Module<S>>(p: &V, ring: RingView<'_, V>) -> [V; 6] {
 }
 
 /// S over a triangle whose three corners are regular.
-#[inline]
 fn regular_patch<S: Field, V: Module<S>>(
     corner: [&V; 3],
     ring: [RingView<'_, V>; 3],

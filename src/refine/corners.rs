@@ -24,7 +24,7 @@ pub(crate) trait Corners: Copy + Send + Sync {
 pub(crate) struct Fixed<const M: u32>;
 
 impl<const M: u32> Corners for Fixed<M> {
-    #[inline(always)]
+    #[inline]
     fn next(self, h: u32) -> u32 {
         if h % M == M - 1 {
             h.wrapping_sub(M - 1)
@@ -32,7 +32,7 @@ impl<const M: u32> Corners for Fixed<M> {
             h.wrapping_add(1)
         }
     }
-    #[inline(always)]
+    #[inline]
     fn prev(self, h: u32) -> u32 {
         if h.is_multiple_of(M) {
             h.wrapping_add(M - 1)
@@ -40,15 +40,15 @@ impl<const M: u32> Corners for Fixed<M> {
             h.wrapping_sub(1)
         }
     }
-    #[inline(always)]
+    #[inline]
     fn face(self, h: u32) -> u32 {
         h / M
     }
-    #[inline(always)]
+    #[inline]
     fn start(self, face: u32) -> u32 {
         face * M
     }
-    #[inline(always)]
+    #[inline]
     fn size(self, _: u32) -> u32 {
         M
     }
@@ -153,13 +153,13 @@ impl<'a, C: Corners> View<'a, C> {
     }
 
     /// Where `h` starts.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn origin(&self, h: u32) -> usize {
         self.origin[h as usize] as usize
     }
 
     /// The other half-edge of the edge of `h`; `NONE` on the boundary.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn twin(&self, h: u32) -> u32 {
         // h is one of the two: the exclusive or leaves the other.
         let [a, b] = self.edges[self.edge_of[h as usize] as usize];
@@ -167,7 +167,7 @@ impl<'a, C: Corners> View<'a, C> {
     }
 
     /// 0 if `h` is the first half-edge of its edge, 1 if the second.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn side(&self, h: u32) -> u32 {
         u32::from(self.edges[self.edge_of[h as usize] as usize][0] != h)
     }
@@ -232,7 +232,7 @@ pub(crate) fn parallel(outputs: usize) -> bool {
 }
 
 /// `out[N i .. N i + N] = f(i)`: the same values for any number of threads.
-#[inline(always)]
+#[inline]
 pub(crate) fn fill<T: Send, const N: usize>(
     out: &mut [T],
     f: impl Fn(u32) -> [T; N] + Send + Sync,
@@ -268,7 +268,7 @@ pub(crate) fn resize<T: Copy>(
 
 /// Writes `a(0..n[0]), b(0..n[1]), c(0..n[2])` into `out`, one after the other: the same values for
 /// any number of threads.
-#[inline(always)]
+#[inline]
 pub(crate) fn sections<V: Send>(
     out: &mut Vec<V>,
     n: [u32; 3],

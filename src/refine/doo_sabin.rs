@@ -55,7 +55,7 @@ impl Ranks {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn edge(&self, e: u32) -> u32 {
         if self.edge.is_empty() {
             e

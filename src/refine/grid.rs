@@ -314,7 +314,7 @@ impl Zero for GridPoint {
 
 impl Add for GridPoint {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn add(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         GridPoint([a + x, b + y, c + z])
@@ -323,7 +323,7 @@ impl Add for GridPoint {
 
 impl Add<&GridPoint> for GridPoint {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn add(self, other: &Self) -> Self {
         self + *other
     }
@@ -331,7 +331,7 @@ impl Add<&GridPoint> for GridPoint {
 
 impl Sub<&GridPoint> for GridPoint {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn sub(self, other: &Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         GridPoint([a - x, b - y, c - z])
@@ -340,7 +340,7 @@ impl Sub<&GridPoint> for GridPoint {
 
 impl Mul<&Numerator> for GridPoint {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn mul(self, weight: &Numerator) -> Self {
         let weight = i128::from(weight.0);
         GridPoint(self.0.map(|x| x * weight))

@@ -165,14 +165,14 @@ struct Star<'a, W, V, C> {
 }
 
 impl<W, V: Points<W>, C: Corners> Star<'_, W, V, C> {
-    #[inline(always)]
+    #[inline]
     fn at(&self, h: u32) -> &V {
         &self.positions[self.view.origin(h)]
     }
 
     /// `center P + edge Σ e_i (+ face Σ f_i)`, neighbours in counterclockwise order: the refined or
     /// the limit point, as the masks are.
-    #[inline(always)]
+    #[inline]
     fn vertex<const FACES: bool>(&self, v: u32) -> V {
         let n = self.view.valence[v as usize];
         let p = &self.positions[v as usize];
@@ -214,7 +214,7 @@ impl<W, V: Points<W>, C: Corners> Star<'_, W, V, C> {
     }
 
     /// `edge[0] (P_a + P_b) + edge[1] (P_c + P_d)`: ends, opposite vertices.
-    #[inline(always)]
+    #[inline]
     fn triangle_edge(&self, e: u32) -> V {
         let [a, b] = self.view.edges[e as usize];
         if b == NONE {
@@ -227,7 +227,7 @@ impl<W, V: Points<W>, C: Corners> Star<'_, W, V, C> {
     }
 
     /// `edge[0] (P_a + P_b) + edge[1] (f + g)`: ends, lifted sums of the two faces.
-    #[inline(always)]
+    #[inline]
     fn polygon_edge(&self, e: u32) -> V {
         let [a, b] = self.view.edges[e as usize];
         if b == NONE {
@@ -246,7 +246,7 @@ impl<W, V: Points<W>, C: Corners> Star<'_, W, V, C> {
 }
 
 /// The new corner of half-edge h: `Σ a_j P_j` over the corners of its face, h being corner 0.
-#[inline(always)]
+#[inline]
 fn corner_point<W, V: Points<W>, C: Corners>(
     view: &View<'_, C>,
     masks: &CornerMasks<W>,

@@ -243,7 +243,7 @@ fn catmull_clark_connectivity<C: Corners>(view: View<'_, C>, faces: u32, fine: &
 }
 
 /// The half-edges of the two halves of an edge; `starts(h)` is the first half of h, `ends(h)` the second.
-#[inline(always)]
+#[inline]
 fn halve(
     [a, b]: [u32; 2],
     starts: impl Fn(u32) -> u32,
@@ -256,7 +256,7 @@ fn halve(
     }
 }
 
-#[inline(always)]
+#[inline]
 fn old_first(h: u32, starts: impl Fn(u32) -> u32) -> u32 {
     if h == NONE { NONE } else { starts(h) }
 }

@@ -162,7 +162,7 @@ impl Interval {
         Interval(self.0.abs())
     }
 
-    #[inline(always)]
+    #[inline]
     fn quotient(self, divisor: Self) -> Self {
         if divisor.contains(0.0) {
             return Self::ENTIRE;
@@ -188,7 +188,7 @@ macro_rules! operator {
     ($Op:ident, $op:ident, $OpAssign:ident, $op_assign:ident, |$a:ident, $b:ident| $value:expr) => {
         impl $Op for Interval {
             type Output = Interval;
-            #[inline(always)]
+            #[inline]
             fn $op(self, other: Interval) -> Interval {
                 let ($a, $b) = (self, other);
                 $value
@@ -196,33 +196,33 @@ macro_rules! operator {
         }
         impl $Op<&Interval> for Interval {
             type Output = Interval;
-            #[inline(always)]
+            #[inline]
             fn $op(self, other: &Interval) -> Interval {
                 $Op::$op(self, *other)
             }
         }
         impl $Op<Interval> for &Interval {
             type Output = Interval;
-            #[inline(always)]
+            #[inline]
             fn $op(self, other: Interval) -> Interval {
                 $Op::$op(*self, other)
             }
         }
         impl $Op<&Interval> for &Interval {
             type Output = Interval;
-            #[inline(always)]
+            #[inline]
             fn $op(self, other: &Interval) -> Interval {
                 $Op::$op(*self, *other)
             }
         }
         impl $OpAssign for Interval {
-            #[inline(always)]
+            #[inline]
             fn $op_assign(&mut self, other: Interval) {
                 *self = $Op::$op(*self, other);
             }
         }
         impl $OpAssign<&Interval> for Interval {
-            #[inline(always)]
+            #[inline]
             fn $op_assign(&mut self, other: &Interval) {
                 *self = $Op::$op(*self, *other);
             }
@@ -237,7 +237,7 @@ operator!(Div, div, DivAssign, div_assign, |a, b| a.quotient(b));
 
 impl Neg for Interval {
     type Output = Interval;
-    #[inline(always)]
+    #[inline]
     fn neg(self) -> Interval {
         Interval(-self.0)
     }
@@ -245,14 +245,14 @@ impl Neg for Interval {
 
 impl Neg for &Interval {
     type Output = Interval;
-    #[inline(always)]
+    #[inline]
     fn neg(self) -> Interval {
         Interval(-self.0)
     }
 }
 
 impl Zero for Interval {
-    #[inline(always)]
+    #[inline]
     fn zero() -> Self {
         Self::point(0.0)
     }
@@ -264,7 +264,7 @@ impl Zero for Interval {
 }
 
 impl One for Interval {
-    #[inline(always)]
+    #[inline]
     fn one() -> Self {
         Self::point(1.0)
     }

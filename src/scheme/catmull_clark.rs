@@ -41,19 +41,19 @@ pub fn limit_mask_polygons<S: Field>(n: u32) -> StarMask<S> {
 }
 
 /// The edge point `(a + b + f + g) / 4`: a, b the ends, f, g the two adjacent new face points.
-#[inline(always)]
+#[inline]
 pub fn edge_point<S: Field, V: Module<S>>(a: &V, b: &V, f: &V, g: &V) -> V {
     ((a.clone() + b) + &(f.clone() + g)) * &S::ratio(1, 4)
 }
 
 /// The centroid of the four corners of a quad.
-#[inline(always)]
+#[inline]
 pub fn quad_point<S: Field, V: Module<S>>(a: &V, b: &V, c: &V, d: &V) -> V {
     ((a.clone() + b) + &(c.clone() + d)) * &S::ratio(1, 4)
 }
 
 /// The centroid of an m-gon from the sum of its corners.
-#[inline(always)]
+#[inline]
 pub fn face_point<S: Field, V: Module<S>>(sum: &V, m: u32) -> V {
     sum.clone() * &S::ratio(1, i64::from(m))
 }

@@ -47,7 +47,7 @@ pub fn limit_mask<S: Field>(weights: LoopWeights, n: u32) -> Option<StarMask<S>>
 }
 
 /// The edge point `3/8 (a + b) + 1/8 (c + d)`: a, b the ends, c, d the opposite vertices.
-#[inline(always)]
+#[inline]
 pub fn edge_point<S: Field, V: Module<S>>(a: &V, b: &V, c: &V, d: &V) -> V {
     (a.clone() + b) * &S::ratio(3, 8) + &((c.clone() + d) * &S::ratio(1, 8))
 }

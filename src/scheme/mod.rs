@@ -59,7 +59,7 @@ pub struct StarMask<S> {
 
 impl<S: Field> StarMask<S> {
     /// Applies the mask to the vertex and the sums over its neighbours.
-    #[inline(always)]
+    #[inline]
     pub fn apply<V: Module<S>>(&self, center: &V, edge_sum: &V, face_sum: &V) -> V {
         center.clone() * &self.center
             + &(edge_sum.clone() * &self.edge)
@@ -67,7 +67,7 @@ impl<S: Field> StarMask<S> {
     }
 
     /// Applies a mask whose `face` weight is zero.
-    #[inline(always)]
+    #[inline]
     pub fn apply_ring<V: Module<S>>(&self, center: &V, edge_sum: &V) -> V {
         center.clone() * &self.center + &(edge_sum.clone() * &self.edge)
     }
@@ -136,19 +136,19 @@ pub mod boundary {
     use super::{Field, Module};
 
     /// `6/8 P + 1/8 (a + b)`, a and b the neighbours along the boundary.
-    #[inline(always)]
+    #[inline]
     pub fn vertex_point<S: Field, V: Module<S>>(p: &V, a: &V, b: &V) -> V {
         p.clone() * &S::ratio(3, 4) + &((a.clone() + b) * &S::ratio(1, 8))
     }
 
     /// `(a + b) / 2`.
-    #[inline(always)]
+    #[inline]
     pub fn edge_point<S: Field, V: Module<S>>(a: &V, b: &V) -> V {
         (a.clone() + b) * &S::ratio(1, 2)
     }
 
     /// Limit position `4/6 P + 1/6 (a + b)`, for any number of faces at the vertex.
-    #[inline(always)]
+    #[inline]
     pub fn limit_point<S: Field, V: Module<S>>(p: &V, a: &V, b: &V) -> V {
         p.clone() * &S::ratio(2, 3) + &((a.clone() + b) * &S::ratio(1, 6))
     }
