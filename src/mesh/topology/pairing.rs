@@ -1,7 +1,8 @@
 //! Half-edges with the same ends become edges: buckets by smaller end, without hashing.
 //!
-//! Measured against a table by larger end (constant time for each half-edge, no search): the table
-//! is slower, more so when vertices are in no order, since it is one more random access.
+//! Entries carry the larger end with them. A variant without search, by a table from the larger end
+//! to its newest edge, and with entries that look both ends up, took 1.3 times (lattice order) and
+//! 1.7 times (no order) the processor time; which of its two changes costs, was not separated.
 
 use super::layout::Layout;
 use super::{NONE, TopologyError};
