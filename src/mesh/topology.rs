@@ -12,6 +12,7 @@ use std::ops::Range;
 mod build;
 mod error;
 mod layout;
+mod pairing;
 #[cfg(test)]
 mod tests;
 mod verify;
