@@ -36,11 +36,20 @@ use crate::scalar::{Decide, Rational};
 /// # Panics
 /// If the numbers of rows differ.
 pub fn solve(a: &DMatrix<Rational>, b: &DMatrix<Rational>) -> Option<DMatrix<Rational>> {
-    assert_eq!(a.nrows(), b.nrows(), "a has {} rows, b has {}", a.nrows(), b.nrows());
+    assert_eq!(
+        a.nrows(),
+        b.nrows(),
+        "a has {} rows, b has {}",
+        a.nrows(),
+        b.nrows()
+    );
     let n = a.ncols();
     let (mut rows, _) = integer_rows(a, Some(b));
     let echelon = eliminate(&mut rows, n);
-    let consistent = rows.iter().skip(n).all(|row| row[n..].iter().all(Zero::is_zero));
+    let consistent = rows
+        .iter()
+        .skip(n)
+        .all(|row| row[n..].iter().all(Zero::is_zero));
     if echelon.rank < n || !consistent {
         return None;
     }
@@ -54,7 +63,9 @@ pub fn solve(a: &DMatrix<Rational>, b: &DMatrix<Rational>) -> Option<DMatrix<Rat
             scaled[i][k] = (&last * &rows[i][n + k] - known) / &rows[i][i];
         }
     }
-    Some(DMatrix::from_fn(n, b.ncols(), |i, k| Rational::new(scaled[i][k].clone(), last.clone())))
+    Some(DMatrix::from_fn(n, b.ncols(), |i, k| {
+        Rational::new(scaled[i][k].clone(), last.clone())
+    }))
 }
 
 /// The rank.
@@ -68,13 +79,22 @@ pub fn rank(a: &DMatrix<Rational>) -> usize {
 /// # Panics
 /// If the matrix is not square.
 pub fn determinant(a: &DMatrix<Rational>) -> Rational {
-    assert!(a.is_square(), "determinant of a {} x {} matrix", a.nrows(), a.ncols());
+    assert!(
+        a.is_square(),
+        "determinant of a {} x {} matrix",
+        a.nrows(),
+        a.ncols()
+    );
     let (mut rows, scale) = integer_rows(a, None);
     let echelon = eliminate(&mut rows, a.ncols());
     if echelon.rank < a.nrows() {
         return Rational::zero();
     }
-    let numerator = if echelon.odd { -echelon.last_pivot } else { echelon.last_pivot };
+    let numerator = if echelon.odd {
+        -echelon.last_pivot
+    } else {
+        echelon.last_pivot
+    };
     Rational::new(numerator, scale)
 }
 
@@ -88,11 +108,17 @@ fn integer_rows(
     let rows = (0..a.nrows())
         .map(|i| {
             let left = (0..a.ncols()).map(|j| &a[(i, j)]);
-            let right = b.into_iter().flat_map(|b| (0..b.ncols()).map(move |j| &b[(i, j)]));
+            let right = b
+                .into_iter()
+                .flat_map(|b| (0..b.ncols()).map(move |j| &b[(i, j)]));
             let row: Vec<&Rational> = left.chain(right).collect();
-            let common = row.iter().fold(BigInt::one(), |common, x| common.lcm(x.denom()));
+            let common = row
+                .iter()
+                .fold(BigInt::one(), |common, x| common.lcm(x.denom()));
             product *= &common;
-            row.iter().map(|x| x.numer() * (&common / x.denom())).collect()
+            row.iter()
+                .map(|x| x.numer() * (&common / x.denom()))
+                .collect()
         })
         .collect();
     (rows, product)
@@ -111,7 +137,11 @@ struct Echelon {
 /// With p the pivot and q the one before, `a_ij <- (p a_ij - a_ic a_rj) / q` is again a minor of
 /// the original matrix (Sylvester), hence an integer.
 fn eliminate(rows: &mut [Vec<BigInt>], columns: usize) -> Echelon {
-    let mut echelon = Echelon { rank: 0, last_pivot: BigInt::one(), odd: false };
+    let mut echelon = Echelon {
+        rank: 0,
+        last_pivot: BigInt::one(),
+        odd: false,
+    };
     for column in 0..columns {
         let top = echelon.rank;
         // The shortest pivot keeps the following products short.
@@ -149,7 +179,13 @@ fn eliminate(rows: &mut [Vec<BigInt>], columns: usize) -> Echelon {
 /// If `a` is not square or the numbers of rows differ.
 pub fn solve_certified<S: Decide>(a: &DMatrix<S>, b: &DMatrix<S>) -> Option<DMatrix<S>> {
     assert!(a.is_square(), "a is {} x {}", a.nrows(), a.ncols());
-    assert_eq!(a.nrows(), b.nrows(), "a has {} rows, b has {}", a.nrows(), b.nrows());
+    assert_eq!(
+        a.nrows(),
+        b.nrows(),
+        "a has {} rows, b has {}",
+        a.nrows(),
+        b.nrows()
+    );
     let n = a.nrows();
     let (mut a, mut b) = (a.clone(), b.clone());
     for column in 0..n {

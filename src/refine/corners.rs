@@ -227,7 +227,7 @@ macro_rules! with_view {
 pub(crate) use with_view;
 
 /// Whether `outputs` results are worth several threads here.
-fn parallel(outputs: usize) -> bool {
+pub(crate) fn parallel(outputs: usize) -> bool {
     outputs >= PARALLEL_MINIMUM && rayon::current_num_threads() > 1
 }
 

@@ -6,6 +6,8 @@
 //! | its connectivity, and how its indices follow from the parent's | [`refine_topology`], [`topology`] |
 //! | its positions only | [`refine_positions`], [`Refiner`] (reuses memory) |
 //! | where vertices go in the limit | [`limit_positions`] |
+//! | all of that as a certified enclosure, at the speed of `f64` | [`enclose_refined`], [`enclosure`] |
+//! | exactly, in integers, where masks are dyadic | [`Grid`], [`grid`] |
 //!
 //! Boundaries: cubic B-spline rules for Loop and Catmull-Clark ([`crate::scheme::boundary`]), with
 //! [`CornerRule::Sharp`] vertices of one face stay; none for Doo-Sabin. Isolated vertices stay where
@@ -28,12 +30,16 @@
 
 mod corners;
 mod doo_sabin;
+pub mod enclosure;
 mod error;
+pub mod grid;
 mod masks;
 mod positions;
 pub mod topology;
 
+pub use enclosure::{Enclosed, enclose_limits, enclose_refined, position_error_bound};
 pub use error::RefineError;
+pub use grid::Grid;
 pub use topology::{refine_topology, refine_topology_into};
 
 use masks::{Masks, Present, Target};

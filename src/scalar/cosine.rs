@@ -135,7 +135,11 @@ const C_WIDTH: u32 = 14;
 fn lower_two_cos(n: u32, bits: u32) -> BigInt {
     static KNOWN: LazyLock<RwLock<HashMap<(u32, u32), BigInt>>> = LazyLock::new(RwLock::default);
     // A poisoned lock still guards a complete map: entries are inserted whole.
-    if let Some(known) = KNOWN.read().unwrap_or_else(|e| e.into_inner()).get(&(n, bits)) {
+    if let Some(known) = KNOWN
+        .read()
+        .unwrap_or_else(|e| e.into_inner())
+        .get(&(n, bits))
+    {
         return known.clone();
     }
     // Fewer bits than this and 2 - 2 cos(π/n) = π^2/n^2 - .. would not be seen.
@@ -146,7 +150,10 @@ fn lower_two_cos(n: u32, bits: u32) -> BigInt {
     // r^2 / 4^b; rounding down adds less than one unit.
     let square = (&root * &root) >> (fine + extra);
     let value = square - (BigInt::from(2) << bits);
-    KNOWN.write().unwrap_or_else(|e| e.into_inner()).insert((n, bits), value.clone());
+    KNOWN
+        .write()
+        .unwrap_or_else(|e| e.into_inner())
+        .insert((n, bits), value.clone());
     value
 }
 
@@ -267,6 +274,9 @@ pub(super) fn rounded_two_cos(j: u32, n: u32) -> Option<RoundedCosine> {
         nearest: round_to_nearest(&middle),
         sup: round_up(&enclosure.sup_rational()),
     };
-    KNOWN.write().unwrap_or_else(|e| e.into_inner()).insert((j, n), rounded);
+    KNOWN
+        .write()
+        .unwrap_or_else(|e| e.into_inner())
+        .insert((j, n), rounded);
     Some(rounded)
 }

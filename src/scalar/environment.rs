@@ -40,7 +40,10 @@ pub fn verify_floating_point() -> Result<(), FloatingPointFault> {
             "subnormal operands are read as zero",
             black_box(least * black_box(2f64.powi(1023))) == black_box(2f64.powi(-51)),
         ),
-        ("a tie is not rounded to even (down)", black_box(one + u) == one),
+        (
+            "a tie is not rounded to even (down)",
+            black_box(one + u) == one,
+        ),
         (
             "a tie is not rounded to even (up)",
             black_box((one + eps) + u) == 1.0 + 2.0 * f64::EPSILON,

@@ -54,7 +54,11 @@ impl Cyclotomic {
     fn product(&self, other: &Self) -> Result<Self, FieldMismatch> {
         let both = self.aligned(other, MAX_COMMON_DEGREE)?;
         let coefficients = multiply(both.field, &both.left, &both.right);
-        Ok(Self::normal(both.field, coefficients, &self.denominator * &other.denominator))
+        Ok(Self::normal(
+            both.field,
+            coefficients,
+            &self.denominator * &other.denominator,
+        ))
     }
 }
 
@@ -129,15 +133,23 @@ macro_rules! operator {
     };
 }
 
-operator!(Add, add, AddAssign, add_assign, |a, b| unless_mismatched(a.sum(b, MAX_COMMON_DEGREE)));
-operator!(Sub, sub, SubAssign, sub_assign, |a, b| unless_mismatched(a.sum(&-b, MAX_COMMON_DEGREE)));
-operator!(Mul, mul, MulAssign, mul_assign, |a, b| unless_mismatched(a.product(b)));
+operator!(Add, add, AddAssign, add_assign, |a, b| unless_mismatched(
+    a.sum(b, MAX_COMMON_DEGREE)
+));
+operator!(Sub, sub, SubAssign, sub_assign, |a, b| unless_mismatched(
+    a.sum(&-b, MAX_COMMON_DEGREE)
+));
+operator!(Mul, mul, MulAssign, mul_assign, |a, b| unless_mismatched(
+    a.product(b)
+));
 operator!(Div, div, DivAssign, div_assign, |a, b| quotient(a, b));
 
 impl Neg for Cyclotomic {
     type Output = Cyclotomic;
     fn neg(mut self) -> Cyclotomic {
-        self.coefficients.iter_mut().for_each(|a| *a = -std::mem::take(a));
+        self.coefficients
+            .iter_mut()
+            .for_each(|a| *a = -std::mem::take(a));
         self
     }
 }

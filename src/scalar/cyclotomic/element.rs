@@ -59,7 +59,11 @@ impl Cyclotomic {
             BigInt::one()
         } else {
             coefficients.iter().fold(denominator.clone(), |common, a| {
-                if common.is_one() { common } else { common.gcd(a) }
+                if common.is_one() {
+                    common
+                } else {
+                    common.gcd(a)
+                }
             })
         };
         if denominator.is_negative() {
@@ -88,7 +92,10 @@ impl Cyclotomic {
     /// The value as a rational; `None` if and only if it is irrational.
     pub fn to_rational(&self) -> Option<Rational> {
         match self.field {
-            None => Some(Rational::new(self.coefficients[0].clone(), self.denominator.clone())),
+            None => Some(Rational::new(
+                self.coefficients[0].clone(),
+                self.denominator.clone(),
+            )),
             Some(_) => None,
         }
     }
@@ -136,7 +143,10 @@ impl Cyclotomic {
             (Some(a), Some(b)) if a.n == b.n => return Ok(borrowed(Some(a))),
             (Some(a), Some(b)) => (a, b),
         };
-        let mismatch = |degree| FieldMismatch { valences: (a.n, b.n), degree };
+        let mismatch = |degree| FieldMismatch {
+            valences: (a.n, b.n),
+            degree,
+        };
         let n = common_conductor(a.n, b.n).ok_or(mismatch(None))?;
         if n != a.n && n != b.n && field_degree(n) > cap {
             return Err(mismatch(Some(field_degree(n))));
@@ -243,7 +253,10 @@ impl Cyclotomic {
             }
         }
         let difference = self.sum(&-other, usize::MAX);
-        difference.unwrap_or_else(|mismatch| panic!("{mismatch}")).signum().cmp(&0)
+        difference
+            .unwrap_or_else(|mismatch| panic!("{mismatch}"))
+            .signum()
+            .cmp(&0)
     }
 
     /// The number 2 cos(2π j/n), n >= 1; see [`Field::two_cos`].
@@ -258,7 +271,11 @@ impl Cyclotomic {
         }
         let field = RealField::get(conductor(n));
         // For n = 2m, m odd, j is odd: cos(π j/m) = -cos(π (j + m)/m), and (j + m)/2 is an integer.
-        let (j, sign) = if field.n == n { (j, 1) } else { ((j + u64::from(field.n)) / 2, -1) };
+        let (j, sign) = if field.n == n {
+            (j, 1)
+        } else {
+            ((j + u64::from(field.n)) / 2, -1)
+        };
         let mut sums = field.empty_sums();
         sums[field.fold(j)] = BigInt::from(sign);
         let coefficients = field.reduce(BigInt::ZERO, sums);
@@ -283,7 +300,10 @@ pub(super) struct FieldMismatch {
 impl fmt::Display for FieldMismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (m, n) = self.valences;
-        write!(f, "exact arithmetic cannot mix the valences {m} and {n}: their common field has ")?;
+        write!(
+            f,
+            "exact arithmetic cannot mix the valences {m} and {n}: their common field has "
+        )?;
         match self.degree {
             Some(degree) => write!(f, "degree {degree}, more than {MAX_COMMON_DEGREE}")?,
             None => write!(f, "an index beyond 2^32")?,
@@ -329,7 +349,11 @@ impl fmt::Display for Cyclotomic {
                 _ => format!("{size} c{k}"),
             };
         }
-        write!(f, "({sum})/{}, ck = 2 cos(2πk/{})", self.denominator, field.n)
+        write!(
+            f,
+            "({sum})/{}, ck = 2 cos(2πk/{})",
+            self.denominator, field.n
+        )
     }
 }
 

@@ -41,7 +41,9 @@ impl RealField {
         static FIELDS: LazyLock<Mutex<BTreeMap<u32, &'static RealField>>> =
             LazyLock::new(Mutex::default);
         let mut fields = FIELDS.lock().unwrap_or_else(PoisonError::into_inner);
-        fields.entry(n).or_insert_with(|| Box::leak(Box::new(RealField::new(n))))
+        fields
+            .entry(n)
+            .or_insert_with(|| Box::leak(Box::new(RealField::new(n))))
     }
 
     fn new(n: u32) -> Self {
@@ -49,7 +51,12 @@ impl RealField {
         let degree = relation.len() - 1;
         // C_d = -(a_0 + a_1 C_1 + .. + a_(d-1) C_(d-1)).
         let mut dense = vec![unit(degree, degree - 1)];
-        dense.push(relation[..degree].iter().map(|a| -small(a)).collect::<Vec<i64>>());
+        dense.push(
+            relation[..degree]
+                .iter()
+                .map(|a| -small(a))
+                .collect::<Vec<i64>>(),
+        );
         for k in degree + 1..=n as usize / 2 {
             // C_k = C_1 C_(k-1) - C_(k-2).
             let next = shifted(&dense[k - degree], &dense[1])
@@ -104,13 +111,22 @@ impl RealField {
 
     /// The basis to within `2^-(bits+1)` each. Kept for every number of bits asked for.
     pub fn enclose_basis(&self, bits: u32) -> Arc<BasisEnclosure> {
-        let known = self.enclosures.read().unwrap_or_else(PoisonError::into_inner).get(&bits).cloned();
+        let known = self
+            .enclosures
+            .read()
+            .unwrap_or_else(PoisonError::into_inner)
+            .get(&bits)
+            .cloned();
         known.unwrap_or_else(|| {
             let mut values = Vec::with_capacity(self.degree);
-            let scale =
-                visit_multiples(self.n, self.degree as u32 - 1, bits, |value| values.push(value));
+            let scale = visit_multiples(self.n, self.degree as u32 - 1, bits, |value| {
+                values.push(value)
+            });
             let made = Arc::new(BasisEnclosure { values, scale });
-            let mut enclosures = self.enclosures.write().unwrap_or_else(PoisonError::into_inner);
+            let mut enclosures = self
+                .enclosures
+                .write()
+                .unwrap_or_else(PoisonError::into_inner);
             enclosures.insert(bits, Arc::clone(&made));
             made
         })
@@ -160,7 +176,10 @@ fn symmetric_cyclotomic(n: u32) -> Vec<BigInt> {
     let degree = field_degree(n);
     let mut series = vec![BigInt::ZERO; degree + 1];
     series[0] = BigInt::one();
-    let divisors: Vec<usize> = (1..=n).filter(|m| n.is_multiple_of(*m)).map(|m| m as usize).collect();
+    let divisors: Vec<usize> = (1..=n)
+        .filter(|m| n.is_multiple_of(*m))
+        .map(|m| m as usize)
+        .collect();
     for &m in divisors.iter().filter(|m| moebius(n as usize / **m) == 1) {
         for i in (m..=degree).rev() {
             let lower = series[i - m].clone();
@@ -211,8 +230,10 @@ fn moebius(n: usize) -> i32 {
 
 /// The degree of Q(2 cos 2π/n) over Q: φ(n)/2 for n >= 3, else 1.
 pub fn field_degree(n: u32) -> usize {
-    let totient: usize =
-        factorize(n as usize).iter().map(|(p, k)| (p - 1) * p.pow(k - 1)).product();
+    let totient: usize = factorize(n as usize)
+        .iter()
+        .map(|(p, k)| (p - 1) * p.pow(k - 1))
+        .product();
     (totient / 2).max(1)
 }
 

@@ -49,7 +49,10 @@ fn cofactor(field: &RealField, a: &[BigInt]) -> Vec<BigInt> {
         }
         let others = others(field, &product, &powers);
         cofactor = multiply(Some(field), &cofactor, &others);
-        group = powers.iter().flat_map(|p| group.iter().map(|h| fold(*p, *h))).collect();
+        group = powers
+            .iter()
+            .flat_map(|p| group.iter().map(|h| fold(*p, *h)))
+            .collect();
         if group.len() < field.degree {
             product = multiply(Some(field), &product, &others);
         }
