@@ -24,6 +24,7 @@ use num_traits::{One, ToPrimitive, Zero};
 use super::corners::parallel;
 use super::error::RefineError;
 use super::masks::{Masks, Present, Target};
+use super::positions::Scratch;
 use super::{positions, topology::check};
 use crate::mesh::{Point, Topology};
 use crate::scalar::Rational;
@@ -52,7 +53,7 @@ pub struct Grid {
 pub struct GridRefiner {
     scheme: Scheme,
     corner: CornerRule,
-    faces: Vec<GridPoint>,
+    scratch: Scratch<GridPoint>,
 }
 
 impl Grid {
@@ -170,7 +171,7 @@ impl GridRefiner {
         GridRefiner {
             scheme,
             corner,
-            faces: Vec::new(),
+            scratch: Scratch::new(),
         }
     }
 
@@ -203,7 +204,7 @@ impl GridRefiner {
             self.corner,
             topology,
             &grid.points,
-            &mut self.faces,
+            &mut self.scratch,
             &mut out.points,
         );
         out.exponent = exponent;
