@@ -27,7 +27,7 @@
 //! | Doo-Sabin corner | product, m - 1 additions | m | m |
 //! | Doo-Sabin limit, k faces | corner, k - 1 additions, product | m + k | k m + 1 |
 //!
-//! (`p c + (ring e) + (around f)`: the ring passes two additions, so r is n - 1 + 1 + 2 = n + 2 for it,
+//! Sums start from 0, an exact first addition. (`p c + (ring e) + (around f)`: the ring passes two additions, so r is n - 1 + 1 + 2 = n + 2 for it,
 //! below m + n + 1; p passes one product and two additions.) Two weights occur on a path where there
 //! is a lifted sum or a limit mean: then 2 κ counts.
 //!
@@ -211,7 +211,14 @@ impl Refiner<Point<f64>> {
             Target::Refined => positions::refined::<f64, Point<f64>>,
             Target::Limit => positions::limits::<f64, Point<f64>>,
         };
-        apply(&masks, self.corner, topology, points, &mut self.faces, out);
+        apply(
+            &masks,
+            self.corner,
+            topology,
+            points,
+            &mut self.scratch,
+            out,
+        );
         Ok((radius + added).next_up())
     }
 }

@@ -24,6 +24,7 @@ use num_traits::{One, ToPrimitive, Zero};
 use super::corners::parallel;
 use super::error::RefineError;
 use super::masks::{Masks, Present, Target};
+use super::positions::Scratch;
 use super::{positions, topology::check};
 use crate::mesh::{Point, Topology};
 use crate::scalar::Rational;
@@ -52,7 +53,7 @@ pub struct Grid {
 pub struct GridRefiner {
     scheme: Scheme,
     corner: CornerRule,
-    faces: Vec<GridPoint>,
+    scratch: Scratch<GridPoint>,
 }
 
 impl Grid {
@@ -170,7 +171,7 @@ impl GridRefiner {
         GridRefiner {
             scheme,
             corner,
-            faces: Vec::new(),
+            scratch: Scratch::new(),
         }
     }
 
@@ -203,7 +204,7 @@ impl GridRefiner {
             self.corner,
             topology,
             &grid.points,
-            &mut self.faces,
+            &mut self.scratch,
             &mut out.points,
         );
         out.exponent = exponent;
@@ -314,7 +315,7 @@ impl Zero for GridPoint {
 
 impl Add for GridPoint {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         GridPoint([a + x, b + y, c + z])
@@ -323,7 +324,7 @@ impl Add for GridPoint {
 
 impl Add<&GridPoint> for GridPoint {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: &Self) -> Self {
         self + *other
     }
@@ -331,7 +332,7 @@ impl Add<&GridPoint> for GridPoint {
 
 impl Sub<&GridPoint> for GridPoint {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: &Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         GridPoint([a - x, b - y, c - z])
@@ -340,7 +341,7 @@ impl Sub<&GridPoint> for GridPoint {
 
 impl Mul<&Numerator> for GridPoint {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, weight: &Numerator) -> Self {
         let weight = i128::from(weight.0);
         GridPoint(self.0.map(|x| x * weight))

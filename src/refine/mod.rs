@@ -43,6 +43,7 @@ pub use grid::Grid;
 pub use topology::{refine_topology, refine_topology_into};
 
 use masks::{Masks, Present, Target};
+use positions::Scratch;
 
 use crate::mesh::{Mesh, Point, Topology};
 use crate::scalar::{Field, Module};
@@ -119,7 +120,7 @@ pub fn limit_positions<S: Field, V: Module<S> + Send + Sync>(
 pub struct Refiner<V = Point<f64>> {
     scheme: Scheme,
     corner: CornerRule,
-    faces: Vec<V>,
+    scratch: Scratch<V>,
 }
 
 impl<V> Refiner<V> {
@@ -128,7 +129,7 @@ impl<V> Refiner<V> {
         Refiner {
             scheme,
             corner,
-            faces: Vec::new(),
+            scratch: Scratch::new(),
         }
     }
 
@@ -163,7 +164,7 @@ impl<V> Refiner<V> {
             self.corner,
             topology,
             positions,
-            &mut self.faces,
+            &mut self.scratch,
             out,
         );
         Ok(())
@@ -188,7 +189,7 @@ impl<V> Refiner<V> {
             self.corner,
             topology,
             positions,
-            &mut self.faces,
+            &mut self.scratch,
             out,
         );
         Ok(())

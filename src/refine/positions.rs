@@ -1,10 +1,12 @@
 //! New positions and limit positions, one formula each for all arithmetics.
 //!
-//! Every output is one fixed expression of the inputs, its neighbours gathered in the order of the
-//! half-edges: so results don't depend on the number of threads, and in an exact type they are the
+//! Every output is one fixed expression of the inputs, its neighbours taken in the order of the
+//! faces: so results don't depend on the number of threads, and in an exact type they are the
 //! scheme's points, in [`Interval`](crate::scalar::Interval)s they contain them.
 
-use super::corners::{BOUNDARY, Corners, Fixed, View, sections, with_view};
+use rayon::prelude::*;
+
+use super::corners::{BOUNDARY, Corners, Fixed, View, parallel, sections, with_view};
 use super::error::RefineError;
 use super::masks::{CornerMasks, Masks, StarMasks};
 use crate::mesh::{NONE, Topology};
@@ -35,41 +37,68 @@ pub(crate) fn check_arguments<V>(
     Ok(())
 }
 
-/// The refined positions into `out`; `faces` is memory for the lifted face sums.
+/// Working memory.
+#[derive(Clone, Debug)]
+pub(crate) struct Scratch<V> {
+    /// Lifted face sums.
+    faces: Vec<V>,
+    /// Loop: the sum over each vertex's neighbours.
+    rings: Vec<[V; 1]>,
+    /// Catmull-Clark: the sums over each vertex's neighbours, and over its lifted face sums.
+    stars: Vec<[V; 2]>,
+}
+
+impl<V> Scratch<V> {
+    pub(crate) const fn new() -> Self {
+        Scratch {
+            faces: Vec::new(),
+            rings: Vec::new(),
+            stars: Vec::new(),
+        }
+    }
+}
+
+/// The refined positions into `out`.
 pub(crate) fn refined<W: Send + Sync, V: Points<W>>(
     masks: &Masks<W>,
     corner: CornerRule,
     topology: &Topology,
     positions: &[V],
-    faces: &mut Vec<V>,
+    scratch: &mut Scratch<V>,
     out: &mut Vec<V>,
 ) {
+    let (vertices, edges) = (topology.vertex_count(), topology.edge_count());
+    let faces = topology.face_count();
     match masks {
         Masks::Star(masks) if masks.lift.is_empty() => {
             let view = View::new(topology, Fixed::<3>);
-            let none: &[V] = &[];
+            gather_sums(&view, faces, positions, &[], &mut scratch.rings);
+            let sums = &scratch.rings;
             let star = Star {
                 view,
                 masks,
                 corner,
                 positions,
-                faces: none,
+                sums,
+                faces: &[],
             };
             sections(
                 out,
-                [topology.vertex_count(), topology.edge_count(), 0],
-                |v| star.vertex::<false>(v),
+                [vertices, edges, 0],
+                |v| star.vertex(v),
                 |e| star.triangle_edge(e),
                 |_| unreachable!(),
             );
         }
         Masks::Star(masks) => with_view!(topology, view => {
-            lift(&view, masks, topology.face_count(), positions, faces);
-            let star = Star { view, masks, corner, positions, faces };
+            lift(&view, masks, faces, positions, &mut scratch.faces);
+            gather_sums(&view, faces, positions, &scratch.faces, &mut scratch.stars);
+            let (sums, lifted) = (&scratch.stars, &scratch.faces);
+            let star = Star { view, masks, corner, positions, sums, faces: lifted };
             sections(
                 out,
-                [topology.vertex_count(), topology.edge_count(), topology.face_count()],
-                |v| star.vertex::<true>(v),
+                [vertices, edges, faces],
+                |v| star.vertex(v),
                 |e| star.polygon_edge(e),
                 |f| star.faces[f as usize].clone() * &masks.face,
             );
@@ -86,43 +115,94 @@ pub(crate) fn refined<W: Send + Sync, V: Points<W>>(
     }
 }
 
-/// The limit positions into `out`, one per vertex; `faces` as in [`refined`].
+/// The limit positions into `out`, one per vertex.
 pub(crate) fn limits<W: Send + Sync, V: Points<W>>(
     masks: &Masks<W>,
     corner: CornerRule,
     topology: &Topology,
     positions: &[V],
-    faces: &mut Vec<V>,
+    scratch: &mut Scratch<V>,
     out: &mut Vec<V>,
 ) {
-    let n = [topology.vertex_count(), 0, 0];
+    let (n, faces) = ([topology.vertex_count(), 0, 0], topology.face_count());
     match masks {
         Masks::Star(masks) if masks.lift.is_empty() => {
             let view = View::new(topology, Fixed::<3>);
+            gather_sums(&view, faces, positions, &[], &mut scratch.rings);
+            let sums = &scratch.rings;
             let star = Star {
                 view,
                 masks,
                 corner,
                 positions,
+                sums,
                 faces: &[],
             };
             sections(
                 out,
                 n,
-                |v| star.vertex::<false>(v),
+                |v| star.vertex(v),
                 |_| unreachable!(),
                 |_| unreachable!(),
             );
         }
         Masks::Star(masks) => with_view!(topology, view => {
-            lift(&view, masks, topology.face_count(), positions, faces);
-            let star = Star { view, masks, corner, positions, faces };
-            sections(out, n, |v| star.vertex::<true>(v), |_| unreachable!(), |_| unreachable!());
+            lift(&view, masks, faces, positions, &mut scratch.faces);
+            gather_sums(&view, faces, positions, &scratch.faces, &mut scratch.stars);
+            let (sums, lifted) = (&scratch.stars, &scratch.faces);
+            let star = Star { view, masks, corner, positions, sums, faces: lifted };
+            sections(out, n, |v| star.vertex(v), |_| unreachable!(), |_| unreachable!());
         }),
         Masks::Corner(masks) => with_view!(topology, view => {
             let limit = |v| corner_limit(&view, masks, positions, v);
             sections(out, n, limit, |_| unreachable!(), |_| unreachable!());
         }),
+    }
+}
+
+/// The sum over each vertex's neighbours (the targets of its half-edges), and with K = 2 over its
+/// lifted face sums; each in the order of the faces, whatever the number of threads.
+///
+/// Faces next to each other in the list are near each other on the surface, vertices and edges are
+/// less so: one pass over faces is several times faster than a walk round each vertex. With threads,
+/// each passes over all faces and keeps what belongs to its own range of vertices.
+fn gather_sums<W, V: Points<W>, C: Corners, const K: usize>(
+    view: &View<'_, C>,
+    count: u32,
+    positions: &[V],
+    faces: &[V],
+    sums: &mut Vec<[V; K]>,
+) {
+    sums.clear();
+    sums.resize(positions.len(), std::array::from_fn(|_| V::zero()));
+    let add = |sum: &mut V, term: &V| *sum = std::mem::replace(sum, V::zero()) + term;
+    let pass = |first: usize, own: &mut [[V; K]]| {
+        for f in 0..count {
+            let (start, size) = (
+                view.corners.start(f) as usize,
+                view.corners.size(f) as usize,
+            );
+            let corners = &view.origin[start..start + size];
+            let mut v = corners[size - 1] as usize;
+            for &next in corners {
+                let next = next as usize;
+                if let Some(sum) = own.get_mut(v.wrapping_sub(first)) {
+                    add(&mut sum[0], &positions[next]);
+                    if K == 2 {
+                        add(&mut sum[1], &faces[f as usize]);
+                    }
+                }
+                v = next;
+            }
+        }
+    };
+    if parallel(positions.len()) {
+        let own = positions.len().div_ceil(rayon::current_num_threads());
+        sums.par_chunks_mut(own)
+            .enumerate()
+            .for_each(|(i, chunk)| pass(i * own, chunk));
+    } else {
+        pass(0, sums);
     }
 }
 
@@ -155,50 +235,37 @@ fn lift<W: Send + Sync, V: Points<W>, C: Corners>(
     );
 }
 
-/// Loop and Catmull-Clark on one mesh.
-struct Star<'a, W, V, C> {
+/// Loop (K = 1) and Catmull-Clark (K = 2) on one mesh.
+struct Star<'a, W, V, C, const K: usize> {
     view: View<'a, C>,
     masks: &'a StarMasks<W>,
     corner: CornerRule,
     positions: &'a [V],
+    sums: &'a [[V; K]],
     faces: &'a [V],
 }
 
-impl<W, V: Points<W>, C: Corners> Star<'_, W, V, C> {
-    #[inline]
+impl<W, V: Points<W>, C: Corners, const K: usize> Star<'_, W, V, C, K> {
+    #[inline(always)]
     fn at(&self, h: u32) -> &V {
         &self.positions[self.view.origin(h)]
     }
 
-    /// `center P + edge Σ e_i (+ face Σ f_i)`, neighbours in counterclockwise order: the refined or
-    /// the limit point, as the masks are.
-    #[inline]
-    fn vertex<const FACES: bool>(&self, v: u32) -> V {
+    /// `center P + edge Σ e_i (+ face Σ f_i)`: the refined or the limit point, as the masks are.
+    #[inline(always)]
+    fn vertex(&self, v: u32) -> V {
         let n = self.view.valence[v as usize];
         let p = &self.positions[v as usize];
         if n.wrapping_sub(1) >= BOUNDARY - 1 {
             return self.open_vertex(v, n, p);
         }
-        let mut h = self.view.first[v as usize];
-        let mut before = self.view.corners.prev(h);
-        let mut ring = self.at(before).clone();
+        let sums = &self.sums[v as usize];
         let StarMask { center, edge, face } = &self.masks.vertex[n as usize];
-        if FACES {
-            let mut around = self.faces[self.view.corners.face(h) as usize].clone();
-            for _ in 1..n {
-                h = self.view.twin(before);
-                before = self.view.corners.prev(h);
-                ring = ring + self.at(before);
-                around = around + &self.faces[self.view.corners.face(h) as usize];
-            }
-            p.clone() * center + &(ring * edge) + &(around * face)
+        let point = p.clone() * center + &(sums[0].clone() * edge);
+        if K == 2 {
+            point + &(sums[1].clone() * face)
         } else {
-            for _ in 1..n {
-                h = self.view.twin(before);
-                before = self.view.corners.prev(h);
-                ring = ring + self.at(before);
-            }
-            p.clone() * center + &(ring * edge)
+            point
         }
     }
 
@@ -214,7 +281,7 @@ impl<W, V: Points<W>, C: Corners> Star<'_, W, V, C> {
     }
 
     /// `edge[0] (P_a + P_b) + edge[1] (P_c + P_d)`: ends, opposite vertices.
-    #[inline]
+    #[inline(always)]
     fn triangle_edge(&self, e: u32) -> V {
         let [a, b] = self.view.edges[e as usize];
         if b == NONE {
@@ -227,7 +294,7 @@ impl<W, V: Points<W>, C: Corners> Star<'_, W, V, C> {
     }
 
     /// `edge[0] (P_a + P_b) + edge[1] (f + g)`: ends, lifted sums of the two faces.
-    #[inline]
+    #[inline(always)]
     fn polygon_edge(&self, e: u32) -> V {
         let [a, b] = self.view.edges[e as usize];
         if b == NONE {
@@ -246,7 +313,7 @@ impl<W, V: Points<W>, C: Corners> Star<'_, W, V, C> {
 }
 
 /// The new corner of half-edge h: `Σ a_j P_j` over the corners of its face, h being corner 0.
-#[inline]
+#[inline(always)]
 fn corner_point<W, V: Points<W>, C: Corners>(
     view: &View<'_, C>,
     masks: &CornerMasks<W>,

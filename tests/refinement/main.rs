@@ -1,4 +1,6 @@
 //! Refinement against exact identities and second ways.
 
 mod connectivity;
+mod exact;
+mod float;
 mod meshes;
