@@ -1,5 +1,6 @@
 //! Flat views of a topology for the hot loops, and the loops themselves.
 
+use num_traits::Zero;
 use rayon::prelude::*;
 
 use crate::mesh::Topology;
@@ -231,24 +232,33 @@ pub(crate) fn parallel(outputs: usize) -> bool {
     outputs >= PARALLEL_MINIMUM && rayon::current_num_threads() > 1
 }
 
+/// Hands `out` in chunks of `size`, with the index of each chunk's first element, to several threads.
+///
+/// The work comes as a trait object so that the machinery of the thread pool is compiled once per
+/// element type, not once per formula.
+fn in_chunks<T: Send>(out: &mut [T], size: usize, work: &(dyn Fn(usize, &mut [T]) + Sync)) {
+    out.par_chunks_mut(size)
+        .enumerate()
+        .for_each(|(i, chunk)| work(i * size, chunk));
+}
+
+/// Elements per chunk, roughly.
+const CHUNK: usize = 1 << 13;
+
 /// `out[N i .. N i + N] = f(i)`: the same values for any number of threads.
 #[inline]
-pub(crate) fn fill<T: Send, const N: usize>(
-    out: &mut [T],
-    f: impl Fn(u32) -> [T; N] + Send + Sync,
-) {
-    let (chunks, rest) = out.as_chunks_mut::<N>();
-    debug_assert!(rest.is_empty());
-    if parallel(chunks.len()) {
-        chunks
-            .par_iter_mut()
-            .with_min_len(4096)
-            .enumerate()
-            .for_each(|(i, chunk)| *chunk = f(i as u32));
-    } else {
-        for (i, chunk) in chunks.iter_mut().enumerate() {
+pub(crate) fn fill<T: Send, const N: usize>(out: &mut [T], f: impl Fn(u32) -> [T; N] + Sync) {
+    let run = |first: usize, out: &mut [T]| {
+        let (chunks, rest) = out.as_chunks_mut::<N>();
+        debug_assert!(rest.is_empty());
+        for (i, chunk) in (first / N..).zip(chunks) {
             *chunk = f(i as u32);
         }
+    };
+    if parallel(out.len() / N) {
+        in_chunks(out, CHUNK * N, &run);
+    } else {
+        run(0, out);
     }
 }
 
@@ -269,26 +279,34 @@ pub(crate) fn resize<T: Copy>(
 /// Writes `a(0..n[0]), b(0..n[1]), c(0..n[2])` into `out`, one after the other: the same values for
 /// any number of threads.
 #[inline]
-pub(crate) fn sections<V: Send>(
+pub(crate) fn sections<V: Clone + Zero + Send>(
     out: &mut Vec<V>,
     n: [u32; 3],
-    a: impl Fn(u32) -> V + Send + Sync,
-    b: impl Fn(u32) -> V + Send + Sync,
-    c: impl Fn(u32) -> V + Send + Sync,
+    a: impl Fn(u32) -> V + Sync,
+    b: impl Fn(u32) -> V + Sync,
+    c: impl Fn(u32) -> V + Sync,
 ) {
-    let total = n.iter().map(|&count| count as usize).sum();
-    out.clear();
-    if parallel(total) {
-        (0..n[0])
-            .into_par_iter()
-            .map(a)
-            .chain((0..n[1]).into_par_iter().map(b))
-            .chain((0..n[2]).into_par_iter().map(c))
-            .collect_into_vec(out);
-    } else {
+    let [first, second, third] = n.map(|count| count as usize);
+    let total = first + second + third;
+    if !parallel(total) {
+        out.clear();
         out.reserve_exact(total);
         out.extend((0..n[0]).map(a));
         out.extend((0..n[1]).map(b));
         out.extend((0..n[2]).map(c));
+        return;
+    }
+    out.resize(total, V::zero());
+    let (a_out, rest) = out.split_at_mut(first);
+    let (b_out, c_out) = rest.split_at_mut(second);
+    in_chunks(a_out, CHUNK, &|start, out| fill_from(start, out, &a));
+    in_chunks(b_out, CHUNK, &|start, out| fill_from(start, out, &b));
+    in_chunks(c_out, CHUNK, &|start, out| fill_from(start, out, &c));
+}
+
+#[inline]
+fn fill_from<V>(start: usize, out: &mut [V], f: impl Fn(u32) -> V) {
+    for (i, value) in (start as u32..).zip(out) {
+        *value = f(i);
     }
 }
