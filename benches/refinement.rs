@@ -3,6 +3,8 @@
 //! Each name gives the scheme, what is computed, the output size and whether memory is fresh or
 //! reused. The irregular mesh is a tetrahedron with random splits, refined.
 
+#![allow(missing_docs)] // criterion makes an undocumented function
+
 #[path = "../tests/refinement/meshes.rs"]
 mod meshes;
 
