@@ -153,15 +153,30 @@ mod tests {
             let mut net: [Rational; N] = std::array::from_fn(|_| Rational::zero());
             net[column] = Rational::one();
             for (row, value) in convert(&net).iter().enumerate() {
-                assert_eq!(*value, <Rational as Field>::ratio(rows[row][column], denominator));
+                assert_eq!(
+                    *value,
+                    <Rational as Field>::ratio(rows[row][column], denominator)
+                );
             }
         }
     }
 
     #[test]
     fn the_factored_conversions_are_the_tables() {
-        check(box_spline_bezier_from_net::<Rational, Rational>, &BOX_SPLINE_ROWS, BOX_SPLINE_DENOMINATOR);
-        check(bicubic_bezier_from_net::<Rational, Rational>, &BICUBIC_ROWS, BICUBIC_DENOMINATOR);
-        check(biquadratic_bezier_from_net::<Rational, Rational>, &BIQUADRATIC_ROWS, BIQUADRATIC_DENOMINATOR);
+        check(
+            box_spline_bezier_from_net::<Rational, Rational>,
+            &BOX_SPLINE_ROWS,
+            BOX_SPLINE_DENOMINATOR,
+        );
+        check(
+            bicubic_bezier_from_net::<Rational, Rational>,
+            &BICUBIC_ROWS,
+            BICUBIC_DENOMINATOR,
+        );
+        check(
+            biquadratic_bezier_from_net::<Rational, Rational>,
+            &BIQUADRATIC_ROWS,
+            BIQUADRATIC_DENOMINATOR,
+        );
     }
 }

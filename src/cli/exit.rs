@@ -39,7 +39,9 @@ pub fn on_interrupt() {
     // Without a handler Ctrl-C still ends the program, so a failure to set one is no reason to stop.
     let _ = ctrlc::set_handler(|| {
         subcert::mesh::io::remove_unfinished_files();
-        eprintln!("\nsubcert: interrupted; nothing was written, so run the command again for a result");
+        eprintln!(
+            "\nsubcert: interrupted; nothing was written, so run the command again for a result"
+        );
         std::process::exit(2);
     });
 }

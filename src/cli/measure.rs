@@ -1,7 +1,7 @@
 //! `subcert measure`.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::bail;
@@ -52,6 +52,9 @@ pub struct Measure {
     json: bool,
 }
 
+/// What a claim is about, except in exact arithmetic.
+const NEAREST: &str = "the f64 nearest to the decimals in the file";
+
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 enum Arithmetic {
     Float,
@@ -86,26 +89,26 @@ impl Measure {
             faces::Format::of_path(path)?;
         }
         if self.arithmetic == Arithmetic::Float && self.gap < 1e-13 {
-            bail!("--gap {} is below what f64 can tell: use 1e-13 or more, or --arithmetic exact", self.gap);
+            bail!(
+                "--gap {} is below what f64 can tell: use 1e-13 or more, or --arithmetic exact",
+                self.gap
+            );
         }
+        let mesh = super::read(&self.mesh)?;
         let progress = Progress::new();
         let tell = |done, count| progress.faces(done, count);
         let (measurement, claim) = match self.arithmetic {
             Arithmetic::Exact => {
-                let loaded = io::read_exact(&self.mesh)?;
-                super::warn(&loaded.warnings);
-                (measure_exact(&loaded.mesh, &request, &tell)?, "the decimals in the file")
+                let exact = io::read_exact(&self.mesh)?;
+                let found = measure_exact(&exact.mesh, &request, &tell)?;
+                (found, "the decimals in the file")
             }
-            Arithmetic::Interval => {
-                (measure_enclosing(&super::read(&self.mesh)?, &request, &tell)?, "their nearest f64")
-            }
-            Arithmetic::Float => {
-                (measure(&super::read(&self.mesh)?, &request, &tell)?, "their nearest f64")
-            }
+            Arithmetic::Interval => (measure_enclosing(&mesh, &request, &tell)?, NEAREST),
+            Arithmetic::Float => (measure(&mesh, &request, &tell)?, NEAREST),
         };
         progress.finish();
         if let (Some(path), Some(values)) = (&self.faces, &measurement.face_enclosures) {
-            self.write_faces(path, values, &request)?;
+            faces::write(path, &mesh, values, &request)?;
         }
         self.print(&request, &measurement, claim, start.elapsed().as_secs_f64())?;
         if measurement.met {
@@ -117,13 +120,13 @@ impl Measure {
         Ok(Outcome::Undecided)
     }
 
-    fn write_faces(&self, path: &Path, values: &[Option<[f64; 2]>], request: &Request) -> anyhow::Result<()> {
-        let mesh = super::read(&self.mesh)?;
-        faces::write(path, &mesh, values, request)?;
-        Ok(())
-    }
-
-    fn print(&self, request: &Request, found: &Measurement, claim: &str, seconds: f64) -> anyhow::Result<()> {
+    fn print(
+        &self,
+        request: &Request,
+        found: &Measurement,
+        claim: &str,
+        seconds: f64,
+    ) -> anyhow::Result<()> {
         let boundary = super::boundary_rule(request.scheme, request.corner);
         let text = Text {
             mesh: &self.mesh.display().to_string(),

@@ -98,7 +98,9 @@ impl SchemeArguments {
             bail!("--weights belongs to Loop's scheme: leave it out, or use --scheme loop");
         }
         if self.corner.is_some() && self.scheme == SchemeName::DooSabin {
-            bail!("--corner has no meaning for Doo-Sabin, which has no boundary rule: leave it out");
+            bail!(
+                "--corner has no meaning for Doo-Sabin, which has no boundary rule: leave it out"
+            );
         }
         let scheme = match (self.scheme, self.weights) {
             (SchemeName::Loop, Some(WeightsName::Warren)) => Scheme::Loop(LoopWeights::Warren),
@@ -117,7 +119,9 @@ impl SchemeArguments {
 /// The boundary rule in force, in words.
 fn boundary_rule(scheme: Scheme, corner: CornerRule) -> &'static str {
     match (scheme, corner) {
-        (Scheme::DooSabin, _) => "none (the surface is the union of the quarters at interior vertices)",
+        (Scheme::DooSabin, _) => {
+            "none (the surface is the union of the quarters at interior vertices)"
+        }
         (_, CornerRule::Smooth) => "cubic B-spline, one-face corners smooth",
         (_, CornerRule::Sharp) => "cubic B-spline, one-face corners sharp",
     }

@@ -16,7 +16,11 @@ pub struct Progress {
 impl Progress {
     /// Starts the clock.
     pub fn new() -> Self {
-        Progress { start: Instant::now(), bar: Mutex::new(None), terminal: std::io::stderr().is_terminal() }
+        Progress {
+            start: Instant::now(),
+            bar: Mutex::new(None),
+            terminal: std::io::stderr().is_terminal(),
+        }
     }
 
     /// Tells how many faces of how many are done.
@@ -26,7 +30,8 @@ impl Progress {
         }
         if let Ok(mut bar) = self.bar.lock() {
             let bar = bar.get_or_insert_with(|| {
-                let style = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} faces {eta}");
+                let style =
+                    ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} faces {eta}");
                 ProgressBar::new(u64::from(count))
                     .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
             });

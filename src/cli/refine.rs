@@ -36,8 +36,12 @@ impl Refine {
         let mesh = super::read(&self.mesh)?;
         let mut fine = refine(scheme, corner, &mesh, self.levels)?;
         if self.limit {
-            let positions = limit_positions::<f64, _>(scheme, corner, &fine.topology, &fine.positions)?;
-            fine = Mesh { topology: fine.topology, positions };
+            let positions =
+                limit_positions::<f64, _>(scheme, corner, &fine.topology, &fine.positions)?;
+            fine = Mesh {
+                topology: fine.topology,
+                positions,
+            };
         }
         io::write(&self.output, &fine)?;
         println!(
@@ -46,7 +50,10 @@ impl Refine {
             fine.topology.vertex_count(),
             fine.topology.face_count(),
             scheme.name(),
-            scheme.weights().map(|w| format!(", {w} weights")).unwrap_or_default(),
+            scheme
+                .weights()
+                .map(|w| format!(", {w} weights"))
+                .unwrap_or_default(),
             super::boundary_rule(scheme, corner),
         );
         Ok(Outcome::Done)

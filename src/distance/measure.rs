@@ -9,11 +9,10 @@
 use std::fmt;
 
 use super::model::{Against, CatmullClarkModel, DooSabinModel, LoopModel, MeshView, Model};
-use super::parametric::{Goal, MeshEnclosure, enclose_mesh};
+use super::parametric::{Goal, MeshEnclosure, enclose_mesh, is_rounding_level};
 use crate::mesh::{Mesh, Point, Topology};
 use crate::patch::quad_net::CatmullClarkRules;
 use crate::patch::quarter_net::DooSabinRules;
-use crate::patch::rounding::TINY;
 use crate::patch::triangle_net::LoopRules;
 use crate::patch::{Enclosing, Exact, Float, Space};
 use crate::refine::{RefineError, Refiner, refine, refine_topology, topology};
@@ -105,7 +104,11 @@ pub struct Measurement {
 impl Measurement {
     /// `(hi - lo) / hi`, 0 if `hi` is 0.
     pub fn gap(&self) -> f64 {
-        if self.hi > 0.0 { (self.hi - self.lo) / self.hi } else { 0.0 }
+        if self.hi > 0.0 {
+            (self.hi - self.lo) / self.hi
+        } else {
+            0.0
+        }
     }
 }
 
@@ -134,7 +137,7 @@ pub fn measure(
     let topology = topology.as_ref().unwrap_or(&mesh.topology);
     let found = enclose::<Float>(topology, &level, radius, request, progress)?;
     let mut result = report(topology, &level, found, |p| frame.leave(p));
-    result.rounding_level = result.hi <= 1e6 * UNIT_ROUNDOFF * frame.size.max(1.0) || result.hi <= 8.0 * TINY;
+    result.rounding_level = is_rounding_level(result.hi, frame.size);
     let [lo, hi] = frame.lengths([result.lo, result.hi]);
     (result.lo, result.hi) = (lo, hi);
     for face in result.face_enclosures.iter_mut().flatten().flatten() {
@@ -171,11 +174,25 @@ pub fn measure_enclosing(
     progress: &(dyn Fn(u32, u32) + Sync),
 ) -> Result<Measurement, MeasureError> {
     topology::check(request.scheme, &mesh.topology)?;
-    let positions = mesh.positions.iter().map(|p| Point(p.0.map(Interval::point))).collect();
-    let start = Mesh { topology: mesh.topology.clone(), positions };
+    let positions = mesh
+        .positions
+        .iter()
+        .map(|p| Point(p.0.map(Interval::point)))
+        .collect();
+    let start = Mesh {
+        topology: mesh.topology.clone(),
+        positions,
+    };
     let level = refine(request.scheme, request.corner, &start, request.level)?;
     let found = enclose::<Enclosing>(&level.topology, &level.positions, 0.0, request, progress)?;
-    Ok(report(&level.topology, &level.positions, found, |p| p))
+    let size = mesh
+        .positions
+        .iter()
+        .flat_map(|p| p.0)
+        .fold(0.0, |size: f64, x| size.max(x.abs()));
+    let mut result = report(&level.topology, &level.positions, found, |p| p);
+    result.rounding_level = is_rounding_level(result.hi, size);
+    Ok(result)
 }
 
 /// Runs the search with the scheme's model.
@@ -186,21 +203,37 @@ fn enclose<A: Space>(
     request: &Request,
     progress: &(dyn Fn(u32, u32) + Sync),
 ) -> Result<MeshEnclosure<A>, MeasureError> {
-    let mesh = MeshView::<A> { topology, positions, against: request.against };
+    let mesh = MeshView::<A> {
+        topology,
+        positions,
+        against: request.against,
+    };
     let found = match request.scheme {
         Scheme::Loop(weights) => {
             let rules = LoopRules::new(weights, request.corner, topology).map_err(|size| {
-                MeasureError::Irrational { what: "valence", size, cure: ", or --weights warren" }
+                MeasureError::Irrational {
+                    what: "valence",
+                    size,
+                    cure: ", or --weights warren",
+                }
             })?;
             search(&LoopModel { mesh, rules }, radius, request, progress)
         }
         Scheme::CatmullClark => {
             let rules = CatmullClarkRules::new(request.corner, topology);
-            search(&CatmullClarkModel { mesh, rules }, radius, request, progress)
+            search(
+                &CatmullClarkModel { mesh, rules },
+                radius,
+                request,
+                progress,
+            )
         }
         Scheme::DooSabin => {
-            let rules = DooSabinRules::new(topology)
-                .map_err(|size| MeasureError::Irrational { what: "face size", size, cure: "" })?;
+            let rules = DooSabinRules::new(topology).map_err(|size| MeasureError::Irrational {
+                what: "face size",
+                size,
+                cure: "",
+            })?;
             search(&DooSabinModel { mesh, rules }, radius, request, progress)
         }
     };
@@ -279,13 +312,26 @@ impl Frame {
                 high[i] = high[i].max(p.0[i]);
             }
         }
-        let largest = (0..3).map(|i| low[i].abs().max(high[i].abs())).fold(0.0, f64::max);
+        let largest = (0..3)
+            .map(|i| low[i].abs().max(high[i].abs()))
+            .fold(0.0, f64::max);
         let exponent = if largest > 0.0 { exponent(largest) } else { 0 };
-        let (low, high) = (low.map(|x| scale(x, -exponent)), high.map(|x| scale(x, -exponent)));
+        let (low, high) = (
+            low.map(|x| scale(x, -exponent)),
+            high.map(|x| scale(x, -exponent)),
+        );
         let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
         let far = extent < 0.5;
-        let origin = if moves && far { [0, 1, 2].map(|i| 0.5 * (low[i] + high[i])) } else { [0.0; 3] };
-        Frame { exponent, origin, size: if moves && far { extent } else { 2.0 } }
+        let origin = if moves && far {
+            [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]))
+        } else {
+            [0.0; 3]
+        };
+        Frame {
+            exponent,
+            origin,
+            size: if moves && far { extent } else { 2.0 },
+        }
     }
 
     /// The positions in the frame, and the bound on their error per coordinate: one rounding of the
@@ -296,7 +342,11 @@ impl Frame {
             let scaled = p.0.map(|x| scale(x, -self.exponent));
             Point(std::array::from_fn(|i| scaled[i] - self.origin[i]))
         };
-        let radius = if moved { UNIT_ROUNDOFF * self.size * 1.01 } else { 0.0 };
+        let radius = if moved {
+            UNIT_ROUNDOFF * self.size * 1.01
+        } else {
+            0.0
+        };
         (positions.iter().map(place).collect(), radius)
     }
 
@@ -309,8 +359,16 @@ impl Frame {
         let (low, high) = (scale(lo, self.exponent), scale(hi, self.exponent));
         let exact = |length: f64, scaled: f64| scale(scaled, -self.exponent) == length;
         [
-            if exact(lo, low) { low } else { low.next_down().max(0.0) },
-            if exact(hi, high) { high } else { high.next_up() },
+            if exact(lo, low) {
+                low
+            } else {
+                low.next_down().max(0.0)
+            },
+            if exact(hi, high) {
+                high
+            } else {
+                high.next_up()
+            },
         ]
     }
 }
@@ -318,7 +376,11 @@ impl Frame {
 /// The exponent e with `2^e <= x < 2^(e+1)`, x > 0 finite.
 fn exponent(x: f64) -> i32 {
     let raw = (x.to_bits() >> 52 & 0x7ff) as i32;
-    if raw > 0 { raw - 1023 } else { exponent(x * 2f64.powi(64)) - 64 }
+    if raw > 0 {
+        raw - 1023
+    } else {
+        exponent(x * 2f64.powi(64)) - 64
+    }
 }
 
 impl fmt::Display for Witness {

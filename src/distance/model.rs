@@ -9,7 +9,7 @@ use crate::mesh::{Point, Topology};
 use crate::patch::quad_net::{self, CatmullClarkRules, PolygonNet, QuadNet};
 use crate::patch::quarter_net::{self, DooSabinRules, QuarterNet};
 use crate::patch::triangle_net::{self, LoopRules, TriangleNet};
-use crate::patch::{Sink, Space};
+use crate::patch::{Corners, Sink, Space};
 
 /// Which mesh the surface is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -120,6 +120,9 @@ fn largest_valence(topology: &Topology, face: u32) -> u32 {
         .unwrap_or(0)
 }
 
+/// Parameters of a triangle's corners.
+const UNIT_TRIANGLE: Corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
+
 /// Loop's scheme. Parameters `(v, w)` on the unit triangle, v towards the face's second corner and w
 /// towards its third.
 #[derive(Debug)]
@@ -162,6 +165,13 @@ impl<A: Space> Model<A> for LoopModel<'_, A> {
         sink: &mut impl Sink<Self::Patch, Self::Net>,
     ) -> Gathered {
         let (topology, limit) = (self.mesh.topology, self.mesh.limit());
+        let positions = self.mesh.positions;
+        if let Some((patch, size)) =
+            triangle_net::regular_face::<A, _>(topology, positions, face, limit)
+        {
+            sink.patch(patch, UNIT_TRIANGLE, 0);
+            return Gathered { size, arity: 6 + 3 };
+        }
         scratch
             .net
             .gather::<A>(&self.rules, topology, self.mesh.positions, face, limit);

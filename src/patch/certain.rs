@@ -50,8 +50,8 @@ impl Space for Enclosing {
     fn lengths(lower: &f64, upper: &f64, _: f64) -> [f64; 2] {
         [lower_sqrt(*lower), upper_sqrt(*upper)]
     }
-    fn magnitude(_: &Point<Interval>) -> f64 {
-        0.0
+    fn magnitude(p: &Point<Interval>) -> f64 {
+        p.0.iter().fold(0.0, |largest: f64, x| largest.max(x.mag()))
     }
     fn relax(x: &f64, gap: f64) -> f64 {
         x * ((1.0 + gap) * (1.0 + gap))

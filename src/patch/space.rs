@@ -44,7 +44,8 @@ pub trait Space: Sync + 'static {
     /// Lengths `lo <= sqrt(lower)` and `hi >= sqrt(upper)`, where each coordinate of the vectors
     /// behind them is off by at most `radius`.
     fn lengths(lower: &Self::Square, upper: &Self::Square, radius: f64) -> [f64; 2];
-    /// The largest coordinate, for rounding bounds; 0 where nothing is rounded silently.
+    /// The largest coordinate, for rounding bounds and to tell what is at their level; 0 where nothing
+    /// is rounded.
     fn magnitude(p: &Self::Point) -> f64;
     /// The largest upper square of the coefficients.
     #[inline]

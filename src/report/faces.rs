@@ -38,7 +38,12 @@ impl Format {
     /// # Errors
     /// If and only if it is neither `csv` nor `ply`.
     pub fn of_path(path: &Path) -> Result<Self, FacesError> {
-        match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
+        match path
+            .extension()
+            .and_then(|e| e.to_str())
+            .map(str::to_ascii_lowercase)
+            .as_deref()
+        {
             Some("csv") => Ok(Format::Csv),
             Some("ply") => Ok(Format::Ply),
             _ => Err(FacesError::Extension(path.display().to_string())),
@@ -70,8 +75,12 @@ pub fn write(
         Format::Ply => {
             let mut level = refine(request.scheme, request.corner, mesh, request.level)?;
             if request.against == Against::Limit {
-                let Mesh { topology, positions } = &level;
-                level.positions = limit_positions::<f64, _>(request.scheme, request.corner, topology, positions)?;
+                let Mesh {
+                    topology,
+                    positions,
+                } = &level;
+                level.positions =
+                    limit_positions::<f64, _>(request.scheme, request.corner, topology, positions)?;
             }
             write_ply(path, &level, values)?;
         }
@@ -85,7 +94,13 @@ fn write_ply(path: &Path, mesh: &Mesh, values: &[Option<[f64; 2]>]) -> Result<()
     let largest = hi.iter().copied().fold(0.0, f64::max);
     let colors: Vec<[u8; 3]> = hi
         .iter()
-        .map(|&hi| if hi < 0.0 { [160; 3] } else { color(if largest > 0.0 { hi / largest } else { 0.0 }) })
+        .map(|&hi| {
+            if hi < 0.0 {
+                [160; 3]
+            } else {
+                color(if largest > 0.0 { hi / largest } else { 0.0 })
+            }
+        })
         .collect();
     debug_assert_eq!(Topology::face_count(&mesh.topology) as usize, values.len());
     PlyWriter::new(mesh)
@@ -108,5 +123,7 @@ fn color(t: f64) -> [u8; 3] {
     let x = t.clamp(0.0, 1.0) * 4.0;
     let i = (x as usize).min(3);
     let fraction = x - i as f64;
-    std::array::from_fn(|c| (STOPS[i][c] + fraction * (STOPS[i + 1][c] - STOPS[i][c])).round() as u8)
+    std::array::from_fn(|c| {
+        (STOPS[i][c] + fraction * (STOPS[i + 1][c] - STOPS[i][c])).round() as u8
+    })
 }

@@ -26,7 +26,11 @@ pub struct Text<'a> {
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (request, found) = (self.request, self.found);
-        let weights = request.scheme.weights().map(|w| format!(", {w} weights")).unwrap_or_default();
+        let weights = request
+            .scheme
+            .weights()
+            .map(|w| format!(", {w} weights"))
+            .unwrap_or_default();
         writeln!(f, "mesh       {}", self.mesh)?;
         writeln!(f, "scheme     {}{weights}", request.scheme.name())?;
         writeln!(f, "boundary   {}", self.boundary)?;
@@ -37,7 +41,11 @@ impl fmt::Display for Text<'_> {
             request.against.name()
         )?;
         writeln!(f, "claim      about {}", self.claim)?;
-        writeln!(f, "faces      {} ({} with surface)", found.faces, found.measured)?;
+        writeln!(
+            f,
+            "faces      {} ({} with surface)",
+            found.faces, found.measured
+        )?;
         writeln!(f, "lo         {:?}", found.lo)?;
         writeln!(f, "hi         {:?}", found.hi)?;
         if let Some([lower, upper]) = &found.squares {
