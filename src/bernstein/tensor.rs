@@ -45,16 +45,15 @@ impl<V, const D: usize, const N: usize> Tensor<V, D, N> {
         }))
     }
 
-    /// The difference of two patches, coefficient by coefficient.
-    pub fn minus<S: Field>(self, other: &Self) -> Self
+    /// Subtracts another patch, coefficient by coefficient.
+    #[inline]
+    pub fn subtract<S: Field>(&mut self, other: &Self)
     where
         V: Module<S>,
     {
-        let mut result = self.0;
-        for (a, b) in result.iter_mut().zip(&other.0) {
+        for (a, b) in self.0.iter_mut().zip(&other.0) {
             *a = a.clone() - b;
         }
-        Tensor(result)
     }
 }
 

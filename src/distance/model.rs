@@ -169,7 +169,7 @@ impl<A: Space> Model<A> for LoopModel<'_, A> {
         if let Some((patch, size)) =
             triangle_net::regular_face::<A, _>(topology, positions, face, limit)
         {
-            sink.patch(patch, UNIT_TRIANGLE, 0);
+            sink.patch(&patch, UNIT_TRIANGLE, 0);
             return Gathered { size, arity: 6 + 3 };
         }
         scratch

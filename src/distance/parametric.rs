@@ -125,18 +125,16 @@ impl<A: Space, M: Model<A>> Cells<A, M> {
         }
     }
 
-    fn push(&mut self, upper: A::Square, cell: Cell<M::Patch, M::Net>) {
+    fn add_net(&mut self, upper: A::Square, net: M::Net) {
         if upper > self.cutoff {
-            self.queue.push(upper, cell);
+            self.queue.push(upper, Cell::Net(net));
         } else {
             self.queue.close(upper);
-            if let Cell::Net(net) = cell {
-                self.spare.push(net);
-            }
+            self.spare.push(net);
         }
     }
 
-    fn add_patch(&mut self, patch: M::Patch, corners: Corners, halvings: u32) {
+    fn add_patch(&mut self, patch: &M::Patch, corners: Corners, halvings: u32) {
         self.halvings = self.halvings.max(halvings);
         let coefficients = patch.coefficients();
         for corner in 0..M::Patch::CORNERS {
@@ -147,19 +145,24 @@ impl<A: Space, M: Model<A>> Cells<A, M> {
         if halvings == 0 && upper > self.largest {
             self.largest = upper.clone();
         }
-        self.push(
-            upper,
-            Cell::Patch {
-                patch,
-                corners,
-                halvings,
-            },
-        );
+        if upper > self.cutoff {
+            let patch = patch.clone();
+            self.queue.push(
+                upper,
+                Cell::Patch {
+                    patch,
+                    corners,
+                    halvings,
+                },
+            );
+        } else {
+            self.queue.close(upper);
+        }
     }
 }
 
 impl<A: Space, M: Model<A>> Sink<M::Patch, M::Net> for Cells<A, M> {
-    fn patch(&mut self, patch: M::Patch, corners: Corners, steps: u32) {
+    fn patch(&mut self, patch: &M::Patch, corners: Corners, steps: u32) {
         self.steps = self.steps.max(steps);
         self.add_patch(patch, corners, 0);
     }
@@ -190,7 +193,7 @@ impl<A: Space, M: Model<A>> Workspace<A, M> {
                 let (value, at) = model.net_value(&net);
                 self.cells.raise(A::lower(&value), at, &value);
                 let upper = model.net_upper(&net);
-                self.cells.push(upper, Cell::Net(net));
+                self.cells.add_net(upper, net);
             }
         }
     }
@@ -269,7 +272,7 @@ impl<A: Space, M: Model<A>> Workspace<A, M> {
                         }
                     }
                     for (half, corners) in patch.halve(&corners) {
-                        self.cells.add_patch(half, corners, halvings + 1);
+                        self.cells.add_patch(&half, corners, halvings + 1);
                     }
                 }
             }

@@ -26,7 +26,7 @@ pub type Corners = [[f64; 2]; 4];
 /// Where the pieces of a face go: polynomial patches of S - F, and nets that need another step.
 pub trait Sink<B, N> {
     /// A polynomial piece of S - F over the given parameters, after `steps` local steps.
-    fn patch(&mut self, patch: B, corners: Corners, steps: u32);
+    fn patch(&mut self, patch: &B, corners: Corners, steps: u32);
 
     /// A net for the caller to fill; returned by [`Sink::net`]. Reused storage, contents arbitrary.
     fn spare(&mut self) -> N;

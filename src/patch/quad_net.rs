@@ -578,9 +578,10 @@ pub fn split<A, V>(
     let view: [FanView<'_, V>; 4] = std::array::from_fn(|i| net.fan[i].view());
     if view.iter().all(|fan| rules.is_regular(*fan)) {
         let [a, b, c, d] = &net.corner;
-        let patch = regular_patch::<A::Scalar, V>([a, b, c, d], view);
+        let mut patch = regular_patch::<A::Scalar, V>([a, b, c, d], view);
         let facet = Tensor::from_bilinear::<A::Scalar>(&net.facet);
-        sink.patch(patch.minus::<A::Scalar>(&facet), net.corners, net.steps);
+        patch.subtract::<A::Scalar>(&facet);
+        sink.patch(&patch, net.corners, net.steps);
         return;
     }
     scratch.reserve(4);
@@ -782,9 +783,10 @@ fn step<A, V>(
             facet_edge[prev].clone(),
         ];
         if fans.iter().all(|fan| rules.is_regular(*fan)) {
-            let patch = regular_patch::<A::Scalar, V>(points, fans);
+            let mut patch = regular_patch::<A::Scalar, V>(points, fans);
             let facet = Tensor::from_bilinear::<A::Scalar>(&facet);
-            sink.patch(patch.minus::<A::Scalar>(&facet), corners(i), steps);
+            patch.subtract::<A::Scalar>(&facet);
+            sink.patch(&patch, corners(i), steps);
         } else {
             let mut child = sink.spare();
             child.corner = points.map(Clone::clone);

@@ -214,8 +214,9 @@ pub fn split<A, V>(
         let [w, a, c, z]: [V; 4] = std::array::from_fn(|i| rules.child(g, i));
         let grid = [own(2), own(3), a_before, own(1), w, a, z_after, z, c];
         let facet = Tensor::from_bilinear::<A::Scalar>(&net.facet);
-        let patch = from_net::biquadratic::<A::Scalar, V>(&grid);
-        sink.patch(patch.minus::<A::Scalar>(&facet), net.corners, steps);
+        let mut patch = from_net::biquadratic::<A::Scalar, V>(&grid);
+        patch.subtract::<A::Scalar>(&facet);
+        sink.patch(&patch, net.corners, steps);
         return;
     }
     let faces: [Vec<V>; 4] = {

@@ -187,35 +187,46 @@ fn edge_points<S: Field, V: Module<S>>(p: &V, ring: RingView<'_, V>, out: &mut V
     }));
 }
 
-/// The six neighbours of a regular corner from the next corner on, with ghosts beyond a boundary.
+/// Neighbours of a regular corner, counted from the next corner on, with ghosts beyond a boundary.
+#[inline]
+fn neighbours<S: Field, V: Module<S>, const N: usize>(
+    p: &V,
+    ring: RingView<'_, V>,
+    wanted: [usize; N],
+) -> [V; N] {
+    let pick = |points: &[V; 6]| {
+        wanted.map(|k| {
+            let at = ring.at + k;
+            points[if at < 6 { at } else { at - 6 }].clone()
+        })
+    };
+    match ring.points.as_array::<6>() {
+        Some(points) => pick(points),
+        None => pick(&with_ghosts::<S, V>(p, ring.points)),
+    }
+}
+
+/// The six neighbours of a regular boundary vertex.
 ///
 /// Ghosts: `p + r_0 - r_1` across a boundary edge (p, r_0) whose triangle has third vertex r_1; at a
 /// pinned corner also `2 p - r`. The regular masks on them give the boundary rules: at a vertex with
 /// ring r_0..r_3 the six neighbours sum to `2 (p + r_0 + r_3)`, so the limit is
 /// `(6 p + 2 p + 2 r_0 + 2 r_3) / 12 = (4 p + r_0 + r_3) / 6`.
-fn full_ring<S: Field, V: Module<S>>(p: &V, ring: RingView<'_, V>) -> [V; 6] {
-    let r = ring.points;
+#[cold]
+fn with_ghosts<S: Field, V: Module<S>>(p: &V, r: &[V]) -> [V; 6] {
     let ghost = |end: &V, inner: &V| p.clone() + end - inner;
-    let six: [V; 6] = match r.len() {
-        6 => return std::array::from_fn(|k| r[(ring.at + k) % 6].clone()),
-        4 => [
-            r[0].clone(),
-            r[1].clone(),
-            r[2].clone(),
-            r[3].clone(),
-            ghost(&r[3], &r[2]),
-            ghost(&r[0], &r[1]),
-        ],
-        _ => [
-            r[0].clone(),
-            r[1].clone(),
-            ghost(&r[1], &r[0]),
-            p.clone() + p - &r[0],
-            p.clone() + p - &r[1],
-            ghost(&r[0], &r[1]),
-        ],
-    };
-    std::array::from_fn(|k| six[(ring.at + k) % 6].clone())
+    let [first, second] = [&r[0], &r[1]].map(Clone::clone);
+    match r.len() {
+        4 => {
+            let (beyond_last, beyond_first) = (ghost(&r[3], &r[2]), ghost(&r[0], &r[1]));
+            [first, second, r[2].clone(), r[3].clone(), beyond_last, beyond_first]
+        }
+        _ => {
+            let (opposite_first, opposite_second) = (p.clone() + p - &r[0], p.clone() + p - &r[1]);
+            let (beyond_second, beyond_first) = (ghost(&r[1], &r[0]), ghost(&r[0], &r[1]));
+            [first, second, beyond_second, opposite_first, opposite_second, beyond_first]
+        }
+    }
 }
 
 /// S over a triangle whose three corners are regular.
@@ -226,9 +237,9 @@ fn regular_patch<S: Field, V: Module<S>>(
     let [a, b, c] = corner;
     // From A: B, C, opposite AC, x1, x2, opposite AB; from B: C, A, opposite AB, y1, y2, opposite BC;
     // from C: A, B, opposite BC, z1, z2, opposite AC.
-    let [_, _, ac, x1, x2, ab] = full_ring::<S, V>(a, ring[0]);
-    let [_, _, _, y1, y2, bc] = full_ring::<S, V>(b, ring[1]);
-    let [_, _, _, z1, z2, _] = full_ring::<S, V>(c, ring[2]);
+    let [ac, x1, x2, ab] = neighbours::<S, V, 4>(a, ring[0], [2, 3, 4, 5]);
+    let [y1, y2, bc] = neighbours::<S, V, 3>(b, ring[1], [3, 4, 5]);
+    let [z1, z2] = neighbours::<S, V, 2>(c, ring[2], [3, 4]);
     from_net::box_spline::<S, V>(&[
         x2,
         x1,
@@ -297,14 +308,15 @@ where
     let base = &positions[origin(a) as usize];
     let net: [V; 12] = vertices.map(|v| A::lift(&positions[v as usize], base));
     let size = net.iter().map(|p| A::magnitude(p)).fold(0.0, f64::max);
-    let surface = from_net::box_spline::<A::Scalar, V>(&net);
+    let mut surface = from_net::box_spline::<A::Scalar, V>(&net);
     let facet = if limit {
         [0, 10, 14].map(|corner| surface.0[corner].clone())
     } else {
         [3, 6, 7].map(|corner| net[corner].clone())
     };
     let facet = QuarticTriangle::from_linear::<A::Scalar>(&facet);
-    Some((surface.minus::<A::Scalar>(&facet), size))
+    surface.subtract::<A::Scalar>(&facet);
+    Some((surface, size))
 }
 
 /// Scratch storage of [`split`].
@@ -450,13 +462,15 @@ pub fn split<A, V>(
 {
     let view = [net.ring[0].view(), net.ring[1].view(), net.ring[2].view()];
     let regular: [bool; 3] = std::array::from_fn(|i| rules.is_regular(view[i]));
-    let difference = |s: QuarticTriangle<V>, facet: &[V; 3]| {
-        s.minus::<A::Scalar>(&QuarticTriangle::from_linear::<A::Scalar>(facet))
+    let difference = |corner: [&V; 3], ring: [RingView<'_, V>; 3], facet: &[V; 3]| {
+        let mut patch = regular_patch::<A::Scalar, V>(corner, ring);
+        patch.subtract::<A::Scalar>(&QuarticTriangle::from_linear::<A::Scalar>(facet));
+        patch
     };
     if regular == [true; 3] {
         let [a, b, c] = &net.corner;
-        let patch = regular_patch::<A::Scalar, V>([a, b, c], view);
-        sink.patch(difference(patch, &net.facet), net.corners, net.steps);
+        let patch = difference([a, b, c], view, &net.facet);
+        sink.patch(&patch, net.corners, net.steps);
         return;
     }
     for i in 0..3 {
@@ -476,8 +490,8 @@ pub fn split<A, V>(
             ([b, e_next, e_prev, a, V::zero(), V::zero()], false)
         } else {
             let (m, n) = (scratch.edges[i].len(), scratch.edges[next].len());
-            let near = scratch.edges[i][(at + m - 1) % m].clone();
-            let far = scratch.edges[next][(at_next + 2) % n].clone();
+            let near = scratch.edges[i][if at == 0 { m - 1 } else { at - 1 }].clone();
+            let far = scratch.edges[next][if at_next + 2 < n { at_next + 2 } else { at_next + 2 - n }].clone();
             (
                 [
                     e_prev,
@@ -514,7 +528,7 @@ pub fn split<A, V>(
     let facet_middle: [V; 3] =
         std::array::from_fn(|i| midpoint::<A::Scalar, V>(&net.facet[i], &net.facet[(i + 1) % 3]));
     for i in 0..3 {
-        let (next, prev) = ((i + 1) % 3, (i + 2) % 3);
+        let prev = (i + 2) % 3;
         let corners = [p[i], middle[i], middle[prev], p[i]];
         let facet = [
             net.facet[i].clone(),
@@ -527,13 +541,10 @@ pub fn split<A, V>(
             closed: net.ring[i].closed,
         };
         let (ring_1, ring_2) = (around(i, 0, 2), around(prev, 4, 0));
-        let _ = next;
         if regular[i] {
-            let patch = regular_patch::<A::Scalar, V>(
-                [&vertex[i], edge[i], edge[prev]],
-                [ring_v, ring_1, ring_2],
-            );
-            sink.patch(difference(patch, &facet), corners, net.steps + 1);
+            let corner = [&vertex[i], edge[i], edge[prev]];
+            let patch = difference(corner, [ring_v, ring_1, ring_2], &facet);
+            sink.patch(&patch, corners, net.steps + 1);
         } else {
             let mut child = sink.spare();
             child.corner = [vertex[i].clone(), edge[i].clone(), edge[prev].clone()];
@@ -548,10 +559,8 @@ pub fn split<A, V>(
             sink.net(child);
         }
     }
-    let patch = regular_patch::<A::Scalar, V>(
-        [edge[0], edge[1], edge[2]],
-        [around(0, 5, 1), around(1, 5, 1), around(2, 5, 1)],
-    );
+    let ring = [around(0, 5, 1), around(1, 5, 1), around(2, 5, 1)];
+    let patch = difference(edge, ring, &facet_middle);
     let corners = [middle[0], middle[1], middle[2], middle[0]];
-    sink.patch(difference(patch, &facet_middle), corners, net.steps + 1);
+    sink.patch(&patch, corners, net.steps + 1);
 }
