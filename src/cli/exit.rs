@@ -30,7 +30,7 @@ pub fn refuse(error: &anyhow::Error) -> ExitCode {
     if broken_pipe {
         return ExitCode::SUCCESS;
     }
-    eprintln!("subcert: {error:#}");
+    eprintln!("subcert: {error}");
     ExitCode::from(2)
 }
 

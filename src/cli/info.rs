@@ -9,7 +9,7 @@ use super::exit::Outcome;
 
 /// Counts of a mesh.
 #[derive(clap::Args, Debug)]
-#[command(after_help = "Example:\n  subcert info examples/meshes/bumpy_torus.obj")]
+#[command(after_help = "Example:\n  subcert info examples/meshes/bumpy_torus_tri.obj")]
 pub struct Info {
     /// Mesh file: .obj, .off or .ply
     mesh: PathBuf,

@@ -19,10 +19,11 @@ use super::{AgainstName, SchemeArguments};
 /// Measures a mesh.
 #[derive(clap::Args, Debug)]
 #[command(
-    after_help = "Examples:\n  subcert measure examples/meshes/bumpy_torus.obj --scheme loop --against control\n  \
-        subcert measure examples/meshes/block_quads.obj --scheme catmull-clark --against limit --level 2 --faces error.ply\n\n\
+    after_help = "Examples:\n  subcert measure examples/meshes/bumpy_torus_tri.obj --scheme loop --against control\n  \
+        subcert measure examples/meshes/block_with_handle.obj --scheme catmull-clark --against limit --level 2 --faces error.ply\n\n\
         The distance is sup |S(u) - F(u)| over the surface S and the mesh F at the same parameter u.\n\
-        Lengths are in the mesh's own unit; both ends are rounded outward."
+        Lengths are in the mesh's own unit; both ends are rounded outward. The gap counts as met where hi\n\
+        is below 1.1e-10 of the largest coordinate. JSON and CSV count faces from 0."
 )]
 pub struct Measure {
     /// Mesh file: .obj, .off or .ply
@@ -95,16 +96,24 @@ impl Measure {
             );
         }
         let mesh = super::read(&self.mesh)?;
+        super::check_size(&self.mesh, &mesh, self.level)?;
         let progress = Progress::new();
         let tell = |done, count| progress.faces(done, count);
         let (measurement, claim) = match self.arithmetic {
             Arithmetic::Exact => {
                 let exact = io::read_exact(&self.mesh)?;
-                let found = measure_exact(&exact.mesh, &request, &tell)?;
+                let found = measure_exact(&exact.mesh, &request, &tell);
+                let found = found.map_err(super::about(&self.mesh))?;
                 (found, "the decimals in the file")
             }
-            Arithmetic::Interval => (measure_enclosing(&mesh, &request, &tell)?, NEAREST),
-            Arithmetic::Float => (measure(&mesh, &request, &tell)?, NEAREST),
+            Arithmetic::Interval => {
+                let found = measure_enclosing(&mesh, &request, &tell);
+                (found.map_err(super::about(&self.mesh))?, NEAREST)
+            }
+            Arithmetic::Float => {
+                let found = measure(&mesh, &request, &tell);
+                (found.map_err(super::about(&self.mesh))?, NEAREST)
+            }
         };
         progress.finish();
         if let (Some(path), Some(values)) = (&self.faces, &measurement.face_enclosures) {
@@ -115,7 +124,7 @@ impl Measure {
             return Ok(Outcome::Done);
         }
         eprintln!(
-            "subcert: undecided: the gap asked for was not reached within the budget; the enclosure holds"
+            "subcert: undecided: the gap asked for was not reached, but the enclosure holds; ask for a larger --gap, or use --arithmetic interval or exact"
         );
         Ok(Outcome::Undecided)
     }

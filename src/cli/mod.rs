@@ -1,10 +1,11 @@
 //! Arguments and exit codes; the work is in the library.
 
-use std::path::PathBuf;
+use std::path::Path;
 
-use anyhow::{Context, bail};
+use anyhow::{anyhow, bail};
 use clap::{Parser, Subcommand, ValueEnum};
 use subcert::distance::model::Against;
+use subcert::mesh::Mesh;
 use subcert::scalar::environment;
 use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 
@@ -21,7 +22,7 @@ mod refine;
 #[command(
     version,
     max_term_width = 100,
-    after_help = "Example:\n  subcert measure examples/meshes/bumpy_torus.obj --scheme loop --against control\n\n\
+    after_help = "Example:\n  subcert measure examples/meshes/bumpy_torus_tri.obj --scheme loop --against control\n\n\
         Exit codes: 0 done, 1 refuted or rejected, 2 bad usage or input, 3 undecided."
 )]
 pub struct Arguments {
@@ -128,10 +129,53 @@ fn boundary_rule(scheme: Scheme, corner: CornerRule) -> &'static str {
 }
 
 /// Reads a mesh and tells its warnings.
-fn read(path: &PathBuf) -> anyhow::Result<subcert::mesh::Mesh> {
+fn read(path: &Path) -> anyhow::Result<Mesh> {
     let loaded = subcert::mesh::io::read(path)?;
     warn(&loaded.warnings);
     Ok(loaded.mesh)
+}
+
+/// Bytes per corner of a face that a refined mesh takes while it is made, measured.
+const BYTES_PER_CORNER: u64 = 24;
+
+/// Refuses a level that cannot be held: each step makes four corners of one (on a closed mesh; never
+/// more).
+fn check_size(path: &Path, mesh: &Mesh, levels: u32) -> anyhow::Result<()> {
+    let corners = u64::from(mesh.topology.halfedge_count());
+    let refined = 4u64
+        .checked_pow(levels)
+        .and_then(|factor| factor.checked_mul(corners));
+    let Some(refined) = refined.filter(|&count| count < 1 << 31) else {
+        bail!(
+            "{}: at level {levels} the mesh would have more than 2^31 corners of faces: ask for a lower level",
+            path.display()
+        );
+    };
+    let needed = refined * BYTES_PER_CORNER;
+    if let Some(free) = free_memory().filter(|&free| needed > free) {
+        bail!(
+            "{}: level {levels} needs about {} MB of memory and {} MB are free: ask for a lower level",
+            path.display(),
+            needed >> 20,
+            free >> 20
+        );
+    }
+    Ok(())
+}
+
+/// Free memory in bytes, where the system tells (Linux).
+fn free_memory() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let line = text
+        .lines()
+        .find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    let kilobytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kilobytes << 10)
+}
+
+/// Puts the mesh's name before a message about it.
+fn about<E: std::fmt::Display>(path: &Path) -> impl Fn(E) -> anyhow::Error + '_ {
+    move |error| anyhow!("{}: {error}", path.display())
 }
 
 fn warn(warnings: &[String]) {
@@ -150,7 +194,7 @@ pub fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
         rayon::ThreadPoolBuilder::new()
             .num_threads(usize::from(threads))
             .build_global()
-            .context("the threads can't be started: use a smaller --threads")?;
+            .map_err(|e| anyhow!("the threads can't be started ({e}): use a smaller --threads"))?;
     }
     match arguments.command {
         Command::Info(info) => info.run(),

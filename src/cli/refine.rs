@@ -11,7 +11,7 @@ use super::exit::Outcome;
 /// Subdivides a mesh.
 #[derive(clap::Args, Debug)]
 #[command(
-    after_help = "Example:\n  subcert refine examples/meshes/block_quads.obj --scheme catmull-clark --levels 3 --limit -o block.ply"
+    after_help = "Example:\n  subcert refine examples/meshes/block_with_handle.obj --scheme catmull-clark --levels 3 --limit -o block.ply"
 )]
 pub struct Refine {
     /// Mesh file: .obj, .off or .ply
@@ -34,7 +34,9 @@ impl Refine {
         let (scheme, corner) = self.scheme.resolve()?;
         io::Format::of_path(&self.output)?;
         let mesh = super::read(&self.mesh)?;
-        let mut fine = refine(scheme, corner, &mesh, self.levels)?;
+        super::check_size(&self.mesh, &mesh, self.levels)?;
+        let mut fine =
+            refine(scheme, corner, &mesh, self.levels).map_err(super::about(&self.mesh))?;
         if self.limit {
             let positions =
                 limit_positions::<f64, _>(scheme, corner, &fine.topology, &fine.positions)?;

@@ -87,7 +87,8 @@ pub struct Measurement {
     pub squares: Option<[Rational; 2]>,
     /// Whether the gap was met, or `hi` is at the level of the rounding bound.
     pub met: bool,
-    /// Whether `hi` is at the level of the rounding bound.
+    /// Whether `hi` is at the level of the rounding bound: at most 10^6 u (1.1e-10) times the mesh's
+    /// largest coordinate.
     pub rounding_level: bool,
     /// Number of faces of the level-K mesh.
     pub faces: u32,
@@ -102,6 +103,13 @@ pub struct Measurement {
 }
 
 impl Measurement {
+    /// Settles whether the gap was met: no search stopped early, and the gap is as asked or `hi` is
+    /// at the level of the rounding bound of a mesh of the given size.
+    fn decide(&mut self, gap: f64, size: f64) {
+        self.rounding_level = is_rounding_level(self.hi, size);
+        self.met &= self.gap() <= gap || self.rounding_level;
+    }
+
     /// `(hi - lo) / hi`, 0 if `hi` is 0.
     pub fn gap(&self) -> f64 {
         if self.hi > 0.0 {
@@ -137,7 +145,7 @@ pub fn measure(
     let topology = topology.as_ref().unwrap_or(&mesh.topology);
     let found = enclose::<Float>(topology, &level, radius, request, progress)?;
     let mut result = report(topology, &level, found, |p| frame.leave(p));
-    result.rounding_level = is_rounding_level(result.hi, frame.size);
+    result.decide(request.goal.gap, frame.size);
     let [lo, hi] = frame.lengths([result.lo, result.hi]);
     (result.lo, result.hi) = (lo, hi);
     for face in result.face_enclosures.iter_mut().flatten().flatten() {
@@ -161,6 +169,7 @@ pub fn measure_exact(
     let squares = found.squares.clone();
     let mut result = report(&level.topology, &level.positions, found, |p| p);
     result.squares = Some(squares);
+    result.decide(request.goal.gap, 0.0);
     Ok(result)
 }
 
@@ -191,7 +200,7 @@ pub fn measure_enclosing(
         .flat_map(|p| p.0)
         .fold(0.0, |size: f64, x| size.max(x.abs()));
     let mut result = report(&level.topology, &level.positions, found, |p| p);
-    result.rounding_level = is_rounding_level(result.hi, size);
+    result.decide(request.goal.gap, size);
     Ok(result)
 }
 

@@ -355,7 +355,7 @@ pub struct MeshEnclosure<A: Space> {
     pub squares: [A::Square; 2],
     /// Where `lo` is attained; `None` if `lo` is 0.
     pub witness: Option<WitnessAt<A>>,
-    /// Whether the gap was met (or `hi` is at the level of the rounding bound).
+    /// Whether no search stopped for want of cells.
     pub met: bool,
     /// Per-face enclosures if a face gap was asked for; `None` for faces without surface.
     pub faces: Option<Vec<Option<[f64; 2]>>>,
@@ -518,7 +518,6 @@ pub fn enclose_mesh<A: Space, M: Model<A>>(
     }
     result.hi = settled.0;
     result.squares[1] = settled.1;
-    result.met &= result.hi - result.lo <= goal.gap * result.hi || result.met;
     Some(result)
 }
 

@@ -219,12 +219,26 @@ fn with_ghosts<S: Field, V: Module<S>>(p: &V, r: &[V]) -> [V; 6] {
     match r.len() {
         4 => {
             let (beyond_last, beyond_first) = (ghost(&r[3], &r[2]), ghost(&r[0], &r[1]));
-            [first, second, r[2].clone(), r[3].clone(), beyond_last, beyond_first]
+            [
+                first,
+                second,
+                r[2].clone(),
+                r[3].clone(),
+                beyond_last,
+                beyond_first,
+            ]
         }
         _ => {
             let (opposite_first, opposite_second) = (p.clone() + p - &r[0], p.clone() + p - &r[1]);
             let (beyond_second, beyond_first) = (ghost(&r[1], &r[0]), ghost(&r[0], &r[1]));
-            [first, second, beyond_second, opposite_first, opposite_second, beyond_first]
+            [
+                first,
+                second,
+                beyond_second,
+                opposite_first,
+                opposite_second,
+                beyond_first,
+            ]
         }
     }
 }
@@ -491,7 +505,12 @@ pub fn split<A, V>(
         } else {
             let (m, n) = (scratch.edges[i].len(), scratch.edges[next].len());
             let near = scratch.edges[i][if at == 0 { m - 1 } else { at - 1 }].clone();
-            let far = scratch.edges[next][if at_next + 2 < n { at_next + 2 } else { at_next + 2 - n }].clone();
+            let far = scratch.edges[next][if at_next + 2 < n {
+                at_next + 2
+            } else {
+                at_next + 2 - n
+            }]
+            .clone();
             (
                 [
                     e_prev,

@@ -56,7 +56,7 @@ impl fmt::Display for Text<'_> {
                 writeln!(f, "hi^2       {upper}")?;
             }
         }
-        let note = if found.met && found.gap() > request.goal.gap {
+        let note = if found.rounding_level && found.gap() > request.goal.gap {
             " (hi is at the level of rounding errors: the distance may be 0)"
         } else {
             ""
@@ -85,6 +85,7 @@ pub fn json(text: &Text<'_>) -> Value {
         "hi": found.hi,
         "gap": found.gap(),
         "met": found.met,
+        "rounding_level": found.rounding_level,
         "faces": found.faces,
         "faces_with_surface": found.measured,
         "cells": found.cells,
