@@ -114,7 +114,8 @@ impl<S: Field, V: Module<S>> Patch<S, V> for QuarticTriangle<V> {
                 }
             }};
         }
-        row!(0);
+        one.0[index(4, 0)] = b[0].clone();
+        two.0[index(0, 4)] = b[0].clone();
         row!(1);
         row!(2);
         row!(3);

@@ -48,7 +48,8 @@ where
         .iter()
         .map(|p| A::estimate(&A::upper(p)))
         .fold(0.0, f64::max);
-    if !(scale > 0.0) || !is_concave::<A, B>(patch, 64.0 * A::SLACK * 1.01 * scale) {
+    if scale.is_nan() || scale <= 0.0 || !is_concave::<A, B>(patch, 64.0 * A::SLACK * 1.01 * scale)
+    {
         return None;
     }
     let slack = A::dyadic(A::SLACK * 1.01 * scale);
@@ -182,7 +183,7 @@ where
     for _ in 0..4 {
         let (g, [a, b, c]) = model(at);
         let determinant = a * c - b * b;
-        if !(determinant > 0.0) {
+        if determinant.is_nan() || determinant <= 0.0 {
             break;
         }
         let next = [
@@ -212,7 +213,7 @@ where
             let bend = a * direction[0] * direction[0]
                 + 2.0 * b * direction[0] * direction[1]
                 + c * direction[1] * direction[1];
-            if !(bend < 0.0) {
+            if bend.is_nan() || bend >= 0.0 {
                 break;
             }
             t = round(t - slope / bend);

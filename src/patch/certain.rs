@@ -19,7 +19,7 @@ impl Space for Enclosing {
     const SLACK: f64 = 0.0;
 
     fn lift(p: &Point<Interval>, base: &Point<Interval>) -> Point<Interval> {
-        p.clone() - base
+        *p - base
     }
     fn zero() -> f64 {
         0.0

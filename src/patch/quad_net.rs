@@ -585,8 +585,7 @@ pub fn split<A, V>(
         return;
     }
     scratch.reserve(4);
-    for i in 0..4 {
-        let (p, fan, out) = (&net.corner[i], view[i], &mut scratch.faces[i]);
+    for ((p, fan), out) in net.corner.iter().zip(view).zip(&mut scratch.faces) {
         let n = fan.edges.len();
         out.clear();
         out.extend(fan.across.iter().enumerate().map(|(k, diagonal)| {
@@ -699,11 +698,11 @@ fn step<A, V>(
     vertex.clear();
     edge.clear();
     facet_edge.clear();
-    for i in 0..m {
+    for (i, own_edges) in edges.iter_mut().enumerate().take(m) {
         let (p, fan, faces) = (&stage.corner[i], stage.fan[i].view(), &stage.faces[i]);
-        edge_points::<A::Scalar, V>(p, fan, faces, &mut edges[i]);
+        edge_points::<A::Scalar, V>(p, fan, faces, own_edges);
         vertex.push(rules.new_vertex(p, fan, faces));
-        edge.push(edges[i][fan.at].clone());
+        edge.push(own_edges[fan.at].clone());
         facet_edge.push(midpoint::<A::Scalar, V>(
             &stage.facet[i],
             &stage.facet[(i + 1) % m],

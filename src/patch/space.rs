@@ -34,7 +34,7 @@ pub trait Space: Sync + 'static {
     fn upper_scalar(x: &Self::Scalar) -> Self::Square;
     /// A dyadic number, exactly.
     fn dyadic(x: f64) -> Self::Scalar;
-    /// The number as an f64 not below it; in [`Float`] itself, with [`Space::slack`] to spare.
+    /// The number as an f64 not below it; in [`Float`] itself, with [`Space::SLACK`] to spare.
     fn upper_f64(x: &Self::Scalar) -> f64;
     /// What a certificate of concavity must add for the roundings in it, in units of the squared
     /// length scale: 0 unless the arithmetic rounds silently.
@@ -86,7 +86,8 @@ impl std::ops::Add for Lane {
     type Output = Lane;
     #[inline(always)]
     fn add(self, other: Lane) -> Lane {
-        self + &other
+        let (a, b) = (self.0, other.0);
+        Lane([a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]])
     }
 }
 

@@ -200,9 +200,9 @@ fn neighbours<S: Field, V: Module<S>, const N: usize>(
             points[if at < 6 { at } else { at - 6 }].clone()
         })
     };
-    match ring.points.as_array::<6>() {
-        Some(points) => pick(points),
-        None => pick(&with_ghosts::<S, V>(p, ring.points)),
+    match ring.points.try_into() {
+        Ok(points) => pick(points),
+        Err(_) => pick(&with_ghosts::<S, V>(p, ring.points)),
     }
 }
 
@@ -487,8 +487,8 @@ pub fn split<A, V>(
         sink.patch(&patch, net.corners, net.steps);
         return;
     }
-    for i in 0..3 {
-        edge_points::<A::Scalar, V>(&net.corner[i], view[i], &mut scratch.edges[i]);
+    for ((corner, ring), edges) in net.corner.iter().zip(view).zip(&mut scratch.edges) {
+        edge_points::<A::Scalar, V>(corner, ring, edges);
     }
     let vertex: [V; 3] = std::array::from_fn(|i| rules.new_vertex(&net.corner[i], view[i]));
     // Edge point of edge i, from corner i to corner i + 1.

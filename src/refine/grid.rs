@@ -2,7 +2,7 @@
 //!
 //! `f64` coordinates and regular masks are dyadic, so a step of refinement multiplies by integer
 //! numerators over 2^s and moves the exponent by -s; nothing is rounded. The formulas are the generic
-//! ones of this module, with [`Numerator`]s for weights: each output is one multiplication deep.
+//! ones of this module, with numerators for weights: each output is one multiplication deep.
 //!
 //! | scheme | dyadic at | s |
 //! |---|---|---|
