@@ -23,7 +23,7 @@ use super::{AgainstName, SchemeArguments};
         subcert measure examples/meshes/block_with_handle.obj --scheme catmull-clark --against limit --level 2 --faces error.ply\n\n\
         The distance is sup |S(u) - F(u)| over the surface S and the mesh F at the same parameter u.\n\
         Lengths are in the mesh's own unit; both ends are rounded outward. The gap counts as met where hi\n\
-        is below 1.1e-10 of the largest coordinate. JSON and CSV count faces from 0."
+        is at the level of rounding errors (`noise` in the JSON). JSON and CSV count faces from 0."
 )]
 pub struct Measure {
     /// Mesh file: .obj, .off or .ply
@@ -89,7 +89,7 @@ impl Measure {
         if let Some(path) = &self.faces {
             faces::Format::of_path(path)?;
         }
-        if self.arithmetic == Arithmetic::Float && self.gap < 1e-13 {
+        if self.arithmetic != Arithmetic::Exact && self.gap < 1e-13 {
             bail!(
                 "--gap {} is below what f64 can tell: use 1e-13 or more, or --arithmetic exact",
                 self.gap

@@ -17,7 +17,7 @@
 //! D): de Casteljau's algorithm has at most 4 levels of 4 roundings, so d(x) is off by 16 u D per
 //! coordinate, the partial derivatives, four times a difference of size 2 D, by 120 u D and are at
 //! most 8 D. So g(x) is off by less than 60 u D^2 and each slope times a distance of at most 1 by
-//! less than 870 u D^2: together below 2000 u D^2, covered by `SLACK = 4096 u`. Second derivatives
+//! less than 910 u D^2: with the final sums below 2000 u D^2, covered by `SLACK = 4096 u`. Second derivatives
 //! are at most 48 D, the Hessian bounds are below 112 D^2 and off by less than 10^4 u D^2, covered by
 //! 64 SLACK.
 
@@ -216,7 +216,11 @@ where
             if bend.is_nan() || bend >= 0.0 {
                 break;
             }
-            t = round(t - slope / bend);
+            let next = t - slope / bend;
+            if !next.is_finite() {
+                break;
+            }
+            t = round(next);
         }
         found.push([p[0] + t * direction[0], p[1] + t * direction[1]]);
     }

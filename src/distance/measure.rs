@@ -6,18 +6,22 @@
 //! bound on its errors ([`crate::refine::Refiner::enclose_into`]); the rest is
 //! [`super::parametric`]. Lengths are scaled back outward.
 
+use std::cmp::Ordering;
 use std::fmt;
 
+use num_bigint::BigInt;
+
 use super::model::{Against, CatmullClarkModel, DooSabinModel, LoopModel, MeshView, Model};
-use super::parametric::{Goal, MeshEnclosure, enclose_mesh, is_rounding_level};
-use crate::mesh::{Mesh, Point, Topology};
+use super::parametric::{Goal, MeshEnclosure, enclose_mesh};
+use crate::mesh::{Mesh, NONE, Point, Topology};
 use crate::patch::quad_net::CatmullClarkRules;
 use crate::patch::quarter_net::DooSabinRules;
 use crate::patch::triangle_net::LoopRules;
 use crate::patch::{Enclosing, Exact, Float, Space};
+use crate::refine::enclosure::largest_coordinate;
 use crate::refine::{RefineError, Refiner, refine, refine_topology, topology};
-use crate::scalar::float::UNIT_ROUNDOFF;
-use crate::scalar::{Interval, Rational};
+use crate::scalar::float::{UNIT_ROUNDOFF, round_to_nearest};
+use crate::scalar::{Decide, Interval, Rational, Ring};
 use crate::scheme::{CornerRule, Scheme};
 
 /// What is measured.
@@ -85,11 +89,14 @@ pub struct Measurement {
     pub hi: f64,
     /// Exact squares of bounds for the distance, in exact arithmetic.
     pub squares: Option<[Rational; 2]>,
-    /// Whether the gap was met, or `hi` is at the level of the rounding bound.
+    /// Whether the gaps asked for were met, or `hi` is at the level of the rounding bound.
     pub met: bool,
-    /// Whether `hi` is at the level of the rounding bound: at most 10^6 u (1.1e-10) times the mesh's
-    /// largest coordinate.
+    /// Whether `hi` is at the level of the rounding bound ([`Measurement::noise`]): the distance may
+    /// be 0, and the gap counts as met.
     pub rounding_level: bool,
+    /// A length at the level of the rounding bound: 16 times the bound of the worst face; 0 in exact
+    /// arithmetic.
+    pub noise: f64,
     /// Number of faces of the level-K mesh.
     pub faces: u32,
     /// Number of those with surface.
@@ -103,13 +110,6 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// Settles whether the gap was met: no search stopped early, and the gap is as asked or `hi` is
-    /// at the level of the rounding bound of a mesh of the given size.
-    fn decide(&mut self, gap: f64, size: f64) {
-        self.rounding_level = is_rounding_level(self.hi, size);
-        self.met &= self.gap() <= gap || self.rounding_level;
-    }
-
     /// `(hi - lo) / hi`, 0 if `hi` is 0.
     pub fn gap(&self) -> f64 {
         if self.hi > 0.0 {
@@ -129,8 +129,8 @@ pub fn measure(
     request: &Request,
     progress: &(dyn Fn(u32, u32) + Sync),
 ) -> Result<Measurement, MeasureError> {
-    topology::check(request.scheme, &mesh.topology)?;
-    let frame = Frame::of(&mesh.positions, request.level > 0);
+    check(request, mesh)?;
+    let frame = Frame::of(mesh, request.level > 0);
     let (mut level, mut radius) = frame.enter(&mesh.positions);
     let mut refiner = Refiner::new(request.scheme, request.corner);
     let mut topology = None;
@@ -144,14 +144,18 @@ pub fn measure(
     drop(next);
     let topology = topology.as_ref().unwrap_or(&mesh.topology);
     let found = enclose::<Float>(topology, &level, radius, request, progress)?;
-    let mut result = report(topology, &level, found, |p| frame.leave(p));
-    result.decide(request.goal.gap, frame.size);
-    let [lo, hi] = frame.lengths([result.lo, result.hi]);
-    (result.lo, result.hi) = (lo, hi);
-    for face in result.face_enclosures.iter_mut().flatten().flatten() {
-        *face = frame.lengths(*face);
+    Ok(report(topology, &level, found, request, &frame))
+}
+
+/// Whether the scheme applies and the coordinates are finite.
+fn check(request: &Request, mesh: &Mesh) -> Result<(), MeasureError> {
+    topology::check(request.scheme, &mesh.topology)?;
+    largest_coordinate(&mesh.positions)?;
+    let (expected, found) = (mesh.topology.vertex_count() as usize, mesh.positions.len());
+    if expected != found {
+        return Err(RefineError::PositionCount { expected, found }.into());
     }
-    Ok(result)
+    Ok(())
 }
 
 /// Measures in exact rational arithmetic. The claim is about the decimals in the file.
@@ -164,13 +168,44 @@ pub fn measure_exact(
     progress: &(dyn Fn(u32, u32) + Sync),
 ) -> Result<Measurement, MeasureError> {
     topology::check(request.scheme, &mesh.topology)?;
-    let level = refine(request.scheme, request.corner, mesh, request.level)?;
+    let nearest = mesh
+        .positions
+        .iter()
+        .map(|p| Point([0, 1, 2].map(|i| round_to_nearest(&p.0[i]))));
+    let nearest = Mesh {
+        topology: mesh.topology.clone(),
+        positions: nearest.collect(),
+    };
+    let frame = Frame::of(&nearest, false);
+    let factor = power_of_two(-frame.exponent);
+    let scaled = mesh.positions.iter().map(|p| p.clone() * &factor).collect();
+    let scaled = Mesh {
+        topology: nearest.topology,
+        positions: scaled,
+    };
+    let level = refine(request.scheme, request.corner, &scaled, request.level)?;
     let found = enclose::<Exact>(&level.topology, &level.positions, 0.0, request, progress)?;
-    let squares = found.squares.clone();
-    let mut result = report(&level.topology, &level.positions, found, |p| p);
+    let unit = power_of_two(2 * frame.exponent);
+    let squares = found.squares.clone().map(|square| square * &unit);
+    let faces_met = found.faces_met;
+    let mut result = report(&level.topology, &level.positions, found, request, &frame);
+    // Decided on the exact squares: lo and hi may be two numbers where the distance is one.
+    let [lower, upper] = &squares;
+    let closeness = <Rational as Ring>::from_integer(1) - &Exact::dyadic(request.goal.gap);
+    let met = upper.clone() * &(closeness.clone() * &closeness);
+    result.met = faces_met && met.decide(lower).is_some_and(Ordering::is_le);
     result.squares = Some(squares);
-    result.decide(request.goal.gap, 0.0);
     Ok(result)
+}
+
+/// `2^k`, exactly.
+fn power_of_two(k: i32) -> Rational {
+    let power = BigInt::from(1) << k.unsigned_abs();
+    if k >= 0 {
+        Rational::from_integer(power)
+    } else {
+        Rational::new(1.into(), power)
+    }
 }
 
 /// Measures in interval arithmetic throughout. The claim is about the `f64` coordinates.
@@ -182,26 +217,38 @@ pub fn measure_enclosing(
     request: &Request,
     progress: &(dyn Fn(u32, u32) + Sync),
 ) -> Result<Measurement, MeasureError> {
-    topology::check(request.scheme, &mesh.topology)?;
-    let positions = mesh
-        .positions
-        .iter()
-        .map(|p| Point(p.0.map(Interval::point)))
-        .collect();
+    check(request, mesh)?;
+    let frame = Frame::of(mesh, request.level > 0);
+    let place = |p: &Point<f64>| {
+        let scaled = p.0.map(|x| enclose_scaled(x, -frame.exponent));
+        Point(std::array::from_fn(|i| {
+            scaled[i] - Interval::point(frame.origin[i])
+        }))
+    };
+    let positions = mesh.positions.iter().map(place).collect();
     let start = Mesh {
         topology: mesh.topology.clone(),
         positions,
     };
     let level = refine(request.scheme, request.corner, &start, request.level)?;
     let found = enclose::<Enclosing>(&level.topology, &level.positions, 0.0, request, progress)?;
-    let size = mesh
-        .positions
-        .iter()
-        .flat_map(|p| p.0)
-        .fold(0.0, |size: f64, x| size.max(x.abs()));
-    let mut result = report(&level.topology, &level.positions, found, |p| p);
-    result.decide(request.goal.gap, size);
-    Ok(result)
+    Ok(report(
+        &level.topology,
+        &level.positions,
+        found,
+        request,
+        &frame,
+    ))
+}
+
+/// An enclosure of `x 2^k`: a point unless it underflows.
+fn enclose_scaled(x: f64, k: i32) -> Interval {
+    let scaled = scale(x, k);
+    if scale(scaled, -k) == x {
+        Interval::point(scaled)
+    } else {
+        Interval::new(scaled.next_down(), scaled.next_up())
+    }
 }
 
 /// Runs the search with the scheme's model.
@@ -259,11 +306,13 @@ fn search<A: Space, M: Model<A>>(
     enclose_mesh(model, radius, request.goal, &|done| progress(done, count))
 }
 
+/// The result in the mesh's own unit.
 fn report<A: Space>(
     topology: &Topology,
     positions: &[Point<A::Scalar>],
     found: MeshEnclosure<A>,
-    leave: impl Fn([f64; 3]) -> [f64; 3],
+    request: &Request,
+    frame: &Frame,
 ) -> Measurement {
     let witness = found.witness.map(|w| {
         let base = &positions[topology.origin(topology.halfedges(w.face).start) as usize];
@@ -273,22 +322,76 @@ fn report<A: Space>(
             face: w.face,
             quarter: w.quarter,
             parameter: w.at,
-            surface_point: leave(A::coordinates(&(w.surface_point + &base))),
-            mesh_point: leave(A::coordinates(&(w.mesh_point + &base))),
+            surface_point: frame.leave(A::coordinates(&(w.surface_point + &base))),
+            mesh_point: frame.leave(A::coordinates(&(w.mesh_point + &base))),
         }
     });
+    let [lo, hi] = frame.lengths([found.lo, found.hi]);
+    let [lo, hi] = [printed_below(lo), printed_above(hi)];
+    let [_, noise] = frame.lengths([0.0, found.noise]);
+    let gap = if hi > 0.0 { (hi - lo) / hi } else { 0.0 };
+    let rounding_level = hi <= noise;
+    let mut face_enclosures = found.faces;
+    for face in face_enclosures.iter_mut().flatten().flatten() {
+        let [lo, hi] = frame.lengths(*face);
+        // One step outward, so that the shortest decimals lie outward too.
+        *face = [
+            lo.next_down().max(0.0),
+            if hi > 0.0 { hi.next_up() } else { hi },
+        ];
+    }
     Measurement {
-        lo: found.lo,
-        hi: found.hi,
+        lo,
+        hi,
         squares: None,
-        met: found.met,
-        rounding_level: false,
+        met: found.faces_met && (gap <= request.goal.gap || rounding_level),
+        rounding_level,
+        noise,
         faces: topology.face_count(),
         measured: found.measured,
         witness,
-        face_enclosures: found.faces,
+        face_enclosures,
         cells: found.cells,
     }
+}
+
+/// The largest `f64` up to `x` that prints (shortest decimal that reads back) as a decimal not above
+/// `x`: what people read is a bound too. The shortest decimal is within half a step of its number, so
+/// one step down is enough.
+fn printed_below(x: f64) -> f64 {
+    if printed_side(x).is_gt() {
+        x.next_down().max(0.0)
+    } else {
+        x
+    }
+}
+
+/// As [`printed_below`], upward.
+fn printed_above(x: f64) -> f64 {
+    if printed_side(x).is_lt() {
+        x.next_up()
+    } else {
+        x
+    }
+}
+
+/// How the shortest decimal of a finite number compares with the number.
+fn printed_side(x: f64) -> Ordering {
+    let text = format!("{x:e}");
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let places = digits
+        .split_once('.')
+        .map_or(0, |(_, fraction)| fraction.len() as i32);
+    let digits: BigInt = digits.replace('.', "").parse().unwrap_or_default();
+    let shift = exponent - places;
+    let ten = BigInt::from(10).pow(shift.unsigned_abs());
+    let decimal = if shift >= 0 {
+        Rational::from_integer(digits * ten)
+    } else {
+        Rational::new(digits, ten)
+    };
+    Rational::from_float(x).map_or(Ordering::Equal, |exact| decimal.cmp(&exact))
 }
 
 /// A change of unit and origin that `f64` can undo.
@@ -313,9 +416,13 @@ fn scale(x: f64, k: i32) -> f64 {
 }
 
 impl Frame {
-    fn of(positions: &[Point<f64>], moves: bool) -> Self {
+    /// The frame of the vertices that have a face.
+    fn of(mesh: &Mesh, moves: bool) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for p in positions {
+        for (vertex, p) in (0..).zip(&mesh.positions) {
+            if mesh.topology.first_halfedge(vertex) == NONE {
+                continue;
+            }
             for i in 0..3 {
                 low[i] = low[i].min(p.0[i]);
                 high[i] = high[i].max(p.0[i]);
@@ -344,7 +451,7 @@ impl Frame {
     }
 
     /// The positions in the frame, and the bound on their error per coordinate: one rounding of the
-    /// difference, underflow of the scaling.
+    /// difference. Underflow of the scaling is covered by [`crate::patch::rounding::TINY`].
     fn enter(&self, positions: &[Point<f64>]) -> (Vec<Point<f64>>, f64) {
         let moved = self.origin != [0.0; 3];
         let place = |p: &Point<f64>| {
@@ -394,7 +501,7 @@ fn exponent(x: f64) -> i32 {
 
 impl fmt::Display for Witness {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "face {}", self.face + 1)?;
+        write!(f, "face {} (from 1)", self.face + 1)?;
         if let Some(quarter) = self.quarter {
             write!(f, ", quarter {}", quarter + 1)?;
         }

@@ -17,9 +17,8 @@ use super::close::close;
 use super::model::{Gathered, Model};
 use super::search::Queue;
 use crate::bernstein::Patch;
-use crate::patch::rounding::{Extent, TINY};
+use crate::patch::rounding::Extent;
 use crate::patch::{Corners, Sink, Space};
-use crate::scalar::float::UNIT_ROUNDOFF;
 use num_traits::Zero;
 
 /// How hard to try on one face.
@@ -40,7 +39,7 @@ pub struct Effort {
 pub struct FaceEnclosure<A: Space> {
     /// The distance is at least this (a certified length in the unit of the positions).
     pub lo: f64,
-    /// The distance is at most this, or at most `max(lo, floor) (1 + gap)`.
+    /// The distance is at most this.
     pub hi: f64,
     /// The squared length behind `lo`, before rounding bounds.
     pub lower: A::Square,
@@ -50,8 +49,9 @@ pub struct FaceEnclosure<A: Space> {
     pub at: [f64; 2],
     /// S - F there.
     pub value: A::Point,
-    /// The bound on rounding errors, per coordinate.
-    pub radius: f64,
+    /// A length at the level of the rounding bound: cells below it were not pursued. 0 in exact
+    /// arithmetic.
+    pub noise: f64,
     /// Whether the search ended because it was close enough.
     pub met: bool,
     /// Number of cells visited.
@@ -226,11 +226,13 @@ impl<A: Space, M: Model<A>> Workspace<A, M> {
             return None;
         }
         // Distances at the level of the rounding bound are as good as known.
-        if size > 0.0 {
-            let noise = A::square(16.0 * extent.radius(4, 8, 0.0));
-            if noise > self.cells.cutoff {
-                self.cells.cutoff = noise;
-            }
+        let noise = if size > 0.0 {
+            16.0 * extent.radius(4, 8, 0.0)
+        } else {
+            0.0
+        };
+        if A::square(noise) > self.cells.cutoff {
+            self.cells.cutoff = A::square(noise);
         }
         let met = loop {
             match self.cells.queue.top() {
@@ -292,7 +294,7 @@ impl<A: Space, M: Model<A>> Workspace<A, M> {
             upper,
             at: cells.at,
             value: cells.value.clone(),
-            radius,
+            noise: noise + 4.0 * radius,
             met,
             cells: cells.queue.pushed(),
         })
@@ -324,7 +326,7 @@ impl Default for Goal {
         Goal {
             gap: 1e-6,
             face_gap: None,
-            cells: 4_000_000,
+            cells: 1_000_000,
         }
     }
 }
@@ -355,8 +357,10 @@ pub struct MeshEnclosure<A: Space> {
     pub squares: [A::Square; 2],
     /// Where `lo` is attained; `None` if `lo` is 0.
     pub witness: Option<WitnessAt<A>>,
-    /// Whether no search stopped for want of cells.
-    pub met: bool,
+    /// Whether every face reached the face gap, if one was asked for.
+    pub faces_met: bool,
+    /// The largest length at the level of the rounding bound of a face; 0 in exact arithmetic.
+    pub noise: f64,
     /// Per-face enclosures if a face gap was asked for; `None` for faces without surface.
     pub faces: Option<Vec<Option<[f64; 2]>>>,
     /// Number of faces with surface.
@@ -413,13 +417,14 @@ pub fn enclose_mesh<A: Space, M: Model<A>>(
         hi: 0.0,
         squares: [A::zero(), A::zero()],
         witness: None,
-        met: true,
+        faces_met: true,
         faces: goal.face_gap.map(|_| Vec::with_capacity(count as usize)),
         measured: 0,
         cells: 0,
+        noise: 0.0,
     };
     let target = 0.9 * goal.gap;
-    let first_gap = goal.face_gap.unwrap_or(LOOSE_GAP).max(target);
+    let first_gap = goal.face_gap.unwrap_or_else(|| LOOSE_GAP.max(target));
     // Largest bound of the faces that are settled, and those that are not, with their bounds.
     let mut settled = (0.0_f64, A::zero());
     let mut open: Vec<(u32, f64, A::Square)> = Vec::new();
@@ -439,8 +444,12 @@ pub fn enclose_mesh<A: Space, M: Model<A>>(
             } else {
                 result.lo
             },
-            cells: 20_000,
-            close_after: if first_gap < 1e-3 { 6 } else { u32::MAX },
+            cells: if goal.face_gap.is_some() {
+                goal.cells
+            } else {
+                20_000
+            },
+            close_after: if first_gap < 1e-3 { 6 } else { 12 },
         };
         let block: Vec<Option<FaceEnclosure<A>>> = (start..end)
             .into_par_iter()
@@ -460,6 +469,8 @@ pub fn enclose_mesh<A: Space, M: Model<A>>(
             }
             let Some(enclosure) = enclosure else { continue };
             result.measured += 1;
+            result.faces_met &= enclosure.met || goal.face_gap.is_none();
+            result.noise = result.noise.max(enclosure.noise);
             result.cells += u64::from(enclosure.cells);
             if enclosure.hi > result.lo {
                 open.push((face, enclosure.hi, enclosure.upper));
@@ -499,13 +510,16 @@ pub fn enclose_mesh<A: Space, M: Model<A>>(
             match enclosure {
                 Some(enclosure) => {
                     result.cells += u64::from(enclosure.cells);
-                    result.met &= enclosure.met;
+                    result.noise = result.noise.max(enclosure.noise);
                     result.include_lower(*face, &enclosure, model);
-                    settle(&mut settled, enclosure.hi.min(*hi), &enclosure.upper);
+                    let better = enclosure.upper < *square;
+                    let upper = if better { &enclosure.upper } else { square };
+                    settle(&mut settled, enclosure.hi.min(*hi), upper);
                     if let Some(faces) = &mut result.faces
-                        && let Some([_, old]) = &mut faces[*face as usize]
+                        && let Some([old_lo, old_hi]) = &mut faces[*face as usize]
                     {
-                        *old = old.min(enclosure.hi);
+                        *old_lo = old_lo.max(enclosure.lo);
+                        *old_hi = old_hi.min(enclosure.hi);
                     }
                 }
                 None => settle(&mut settled, *hi, square),
@@ -519,10 +533,4 @@ pub fn enclose_mesh<A: Space, M: Model<A>>(
     result.hi = settled.0;
     result.squares[1] = settled.1;
     Some(result)
-}
-
-/// Whether a distance is so small that it is at the level of the rounding bound of a mesh of this
-/// size (largest coordinate).
-pub fn is_rounding_level(hi: f64, size: f64) -> bool {
-    hi <= 1e6 * UNIT_ROUNDOFF * size || hi <= 4.0 * TINY
 }

@@ -110,7 +110,10 @@ impl Space for Exact {
         length.clone() * &length
     }
     fn lengths(lower: &Rational, upper: &Rational, _: f64) -> [f64; 2] {
-        [lower_sqrt(round_down(lower)), upper_sqrt(round_up(upper))]
+        [
+            exact_root(lower, |x| lower_sqrt(round_down(x)), f64::next_down),
+            exact_root(upper, |x| upper_sqrt(round_up(x)), f64::next_up),
+        ]
     }
     fn magnitude(_: &Point<Rational>) -> f64 {
         0.0
@@ -124,5 +127,27 @@ impl Space for Exact {
     }
     fn estimate(x: &Rational) -> f64 {
         x.to_f64().unwrap_or(f64::INFINITY)
+    }
+}
+
+/// A bound of the root of a rational of any size: the root of `x 4^-k`, near 1, times `2^k`.
+fn exact_root(x: &Rational, root: impl Fn(&Rational) -> f64, outward: impl Fn(f64) -> f64) -> f64 {
+    if x.is_zero() {
+        return 0.0;
+    }
+    let k = (x.numer().bits() as i64 - x.denom().bits() as i64) / 2;
+    let k = k.clamp(-1000, 1000) as i32; // a result beyond the range of f64 is rounded there
+    let power = Rational::from_integer(num_bigint::BigInt::from(1) << (2 * k.unsigned_abs()));
+    let near_one = if k >= 0 {
+        x.clone() / &power
+    } else {
+        x.clone() * &power
+    };
+    let near_one = root(&near_one);
+    let scaled = near_one * 2f64.powi(k);
+    if scaled / 2f64.powi(k) == near_one {
+        scaled
+    } else {
+        outward(scaled).max(0.0)
     }
 }

@@ -1,9 +1,11 @@
 //! The a-priori rounding bound of a measurement in `f64`.
 //!
 //! Notation: u = 2^-53, `fl(a op b) = (a op b)(1 + d)`, |d| <= u, no overflow (coordinates are scaled
-//! to at most 1 in size before). L is the largest coordinate of the gathered net, which is taken
+//! below 2 in size before). L is the largest coordinate of the gathered net, which is taken
 //! relative to a corner of the face. Masks are convex combinations and do not increase L; ghost
-//! points are at most 9 L (a pinned Catmull-Clark corner reflected twice).
+//! points are at most 9 L (a pinned Catmull-Clark corner reflected twice). Errors of the real points are
+//! not multiplied by 9: after substituting the ghosts, the rows of the conversion are convex
+//! combinations of real points again (they are the limit rules of the boundary).
 //!
 //! | what | at most, per coordinate | why |
 //! |---|---|---|

@@ -86,6 +86,7 @@ pub fn json(text: &Text<'_>) -> Value {
         "gap": found.gap(),
         "met": found.met,
         "rounding_level": found.rounding_level,
+        "noise": found.noise,
         "faces": found.faces,
         "faces_with_surface": found.measured,
         "cells": found.cells,
