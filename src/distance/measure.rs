@@ -9,18 +9,17 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use num_bigint::BigInt;
-
+use super::frame::{Frame, enclose_scaled, power_of_two, printed_above, printed_below};
 use super::model::{Against, CatmullClarkModel, DooSabinModel, LoopModel, MeshView, Model};
 use super::parametric::{Goal, MeshEnclosure, enclose_mesh};
-use crate::mesh::{Mesh, NONE, Point, Topology};
+use crate::mesh::{Mesh, Point, Topology};
 use crate::patch::quad_net::CatmullClarkRules;
 use crate::patch::quarter_net::DooSabinRules;
 use crate::patch::triangle_net::LoopRules;
 use crate::patch::{Enclosing, Exact, Float, Space};
 use crate::refine::enclosure::largest_coordinate;
 use crate::refine::{RefineError, Refiner, refine, refine_topology, topology};
-use crate::scalar::float::{UNIT_ROUNDOFF, round_to_nearest};
+use crate::scalar::float::round_to_nearest;
 use crate::scalar::{Decide, Interval, Rational, Ring};
 use crate::scheme::{CornerRule, Scheme};
 
@@ -198,16 +197,6 @@ pub fn measure_exact(
     Ok(result)
 }
 
-/// `2^k`, exactly.
-fn power_of_two(k: i32) -> Rational {
-    let power = BigInt::from(1) << k.unsigned_abs();
-    if k >= 0 {
-        Rational::from_integer(power)
-    } else {
-        Rational::new(1.into(), power)
-    }
-}
-
 /// Measures in interval arithmetic throughout. The claim is about the `f64` coordinates.
 ///
 /// # Errors
@@ -239,16 +228,6 @@ pub fn measure_enclosing(
         request,
         &frame,
     ))
-}
-
-/// An enclosure of `x 2^k`: a point unless it underflows.
-fn enclose_scaled(x: f64, k: i32) -> Interval {
-    let scaled = scale(x, k);
-    if scale(scaled, -k) == x {
-        Interval::point(scaled)
-    } else {
-        Interval::new(scaled.next_down(), scaled.next_up())
-    }
 }
 
 /// Runs the search with the scheme's model.
@@ -352,150 +331,6 @@ fn report<A: Space>(
         witness,
         face_enclosures,
         cells: found.cells,
-    }
-}
-
-/// The largest `f64` up to `x` that prints (shortest decimal that reads back) as a decimal not above
-/// `x`: what people read is a bound too. The shortest decimal is within half a step of its number, so
-/// one step down is enough.
-fn printed_below(x: f64) -> f64 {
-    if printed_side(x).is_gt() {
-        x.next_down().max(0.0)
-    } else {
-        x
-    }
-}
-
-/// As [`printed_below`], upward.
-fn printed_above(x: f64) -> f64 {
-    if printed_side(x).is_lt() {
-        x.next_up()
-    } else {
-        x
-    }
-}
-
-/// How the shortest decimal of a finite number compares with the number.
-fn printed_side(x: f64) -> Ordering {
-    let text = format!("{x:e}");
-    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    let places = digits
-        .split_once('.')
-        .map_or(0, |(_, fraction)| fraction.len() as i32);
-    let digits: BigInt = digits.replace('.', "").parse().unwrap_or_default();
-    let shift = exponent - places;
-    let ten = BigInt::from(10).pow(shift.unsigned_abs());
-    let decimal = if shift >= 0 {
-        Rational::from_integer(digits * ten)
-    } else {
-        Rational::new(digits, ten)
-    };
-    Rational::from_float(x).map_or(Ordering::Equal, |exact| decimal.cmp(&exact))
-}
-
-/// A change of unit and origin that `f64` can undo.
-#[derive(Clone, Copy, Debug)]
-struct Frame {
-    /// Coordinates are divided by 2^exponent.
-    exponent: i32,
-    /// Subtracted after that.
-    origin: [f64; 3],
-    /// Largest coordinate in the frame.
-    size: f64,
-}
-
-/// `x 2^k` for any k; exact unless it under- or overflows.
-fn scale(x: f64, k: i32) -> f64 {
-    let half = k / 2;
-    let step = |x: f64, k: i32| {
-        let (a, b) = (k / 2, k - k / 2);
-        x * 2f64.powi(a) * 2f64.powi(b)
-    };
-    step(step(x, half), k - half)
-}
-
-impl Frame {
-    /// The frame of the vertices that have a face.
-    fn of(mesh: &Mesh, moves: bool) -> Self {
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for (vertex, p) in (0..).zip(&mesh.positions) {
-            if mesh.topology.first_halfedge(vertex) == NONE {
-                continue;
-            }
-            for i in 0..3 {
-                low[i] = low[i].min(p.0[i]);
-                high[i] = high[i].max(p.0[i]);
-            }
-        }
-        let largest = (0..3)
-            .map(|i| low[i].abs().max(high[i].abs()))
-            .fold(0.0, f64::max);
-        let exponent = if largest > 0.0 { exponent(largest) } else { 0 };
-        let (low, high) = (
-            low.map(|x| scale(x, -exponent)),
-            high.map(|x| scale(x, -exponent)),
-        );
-        let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
-        let far = extent < 0.5;
-        let origin = if moves && far {
-            [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]))
-        } else {
-            [0.0; 3]
-        };
-        Frame {
-            exponent,
-            origin,
-            size: if moves && far { extent } else { 2.0 },
-        }
-    }
-
-    /// The positions in the frame, and the bound on their error per coordinate: one rounding of the
-    /// difference. Underflow of the scaling is covered by [`crate::patch::rounding::TINY`].
-    fn enter(&self, positions: &[Point<f64>]) -> (Vec<Point<f64>>, f64) {
-        let moved = self.origin != [0.0; 3];
-        let place = |p: &Point<f64>| {
-            let scaled = p.0.map(|x| scale(x, -self.exponent));
-            Point(std::array::from_fn(|i| scaled[i] - self.origin[i]))
-        };
-        let radius = if moved {
-            UNIT_ROUNDOFF * self.size * 1.01
-        } else {
-            0.0
-        };
-        (positions.iter().map(place).collect(), radius)
-    }
-
-    fn leave(&self, p: [f64; 3]) -> [f64; 3] {
-        std::array::from_fn(|i| scale(p[i] + self.origin[i], self.exponent))
-    }
-
-    /// Lengths in the mesh's unit, outward where scaling back underflows.
-    fn lengths(&self, [lo, hi]: [f64; 2]) -> [f64; 2] {
-        let (low, high) = (scale(lo, self.exponent), scale(hi, self.exponent));
-        let exact = |length: f64, scaled: f64| scale(scaled, -self.exponent) == length;
-        [
-            if exact(lo, low) {
-                low
-            } else {
-                low.next_down().max(0.0)
-            },
-            if exact(hi, high) {
-                high
-            } else {
-                high.next_up()
-            },
-        ]
-    }
-}
-
-/// The exponent e with `2^e <= x < 2^(e+1)`, x > 0 finite.
-fn exponent(x: f64) -> i32 {
-    let raw = (x.to_bits() >> 52 & 0x7ff) as i32;
-    if raw > 0 {
-        raw - 1023
-    } else {
-        exponent(x * 2f64.powi(64)) - 64
     }
 }
 

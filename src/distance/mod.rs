@@ -5,10 +5,14 @@
 //! | `search` | best-first branch and bound; knows no geometry |
 //! | `model` | what a face of each scheme yields: patches and nets of S - F |
 //! | `close` | ends the search at a smooth maximum |
-//! | `parametric` | the supremum over a face, and over a mesh |
+//! | `face` | the supremum over a face |
+//! | `parametric` | the supremum over a mesh, in two passes |
+//! | `frame` | a unit and an origin in which `f64` does its best |
 //! | `measure` | from a mesh to an enclosure in its own unit |
 
 pub mod close;
+pub mod face;
+mod frame;
 pub mod measure;
 pub mod model;
 pub mod parametric;
