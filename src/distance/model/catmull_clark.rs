@@ -5,7 +5,10 @@ use num_traits::Zero;
 use super::{Gathered, MeshView, Model, gathered, largest_valence, quarter_of};
 use crate::bernstein::tensor::Bicubic;
 use crate::patch::quad_net::{self, CatmullClarkRules, PolygonNet, QuadNet};
-use crate::patch::{Sink, Space};
+use crate::patch::{Corners, Sink, Space};
+
+/// Parameters of a quad's corners.
+const UNIT_SQUARE: Corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
 
 /// Catmull-Clark. Parameters `(u, v)` on the unit square of a quad, u towards its second corner and
 /// v towards its fourth; other polygons by quarters.
@@ -52,6 +55,12 @@ impl<A: Space> Model<A> for CatmullClarkModel<'_, A> {
     ) -> Gathered {
         let (topology, positions, limit) =
             (self.mesh.topology, self.mesh.positions, self.mesh.limit());
+        if let Some((patch, size)) =
+            quad_net::regular_face::<A, _>(topology, positions, face, limit)
+        {
+            sink.patch(&patch, UNIT_SQUARE, 0);
+            return Gathered { size, arity: 4 + 4 };
+        }
         let valence = largest_valence(topology, face);
         if QuadNet::<A::Point>::applies(topology, face) {
             scratch

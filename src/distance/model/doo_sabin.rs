@@ -21,29 +21,31 @@ pub struct DooSabinModel<'a, A: Space> {
 /// Storage of [`DooSabinModel`].
 #[derive(Clone, Debug)]
 pub struct DooSabinScratch<V> {
-    net: QuarterNet<V>,
+    /// The faces round each corner.
+    nets: Vec<QuarterNet<V>>,
     facet: Vec<V>,
 }
 
 impl<V: Zero> Default for DooSabinScratch<V> {
     fn default() -> Self {
         DooSabinScratch {
-            net: QuarterNet::default(),
+            nets: Vec::new(),
             facet: Vec::new(),
         }
     }
 }
 
 impl<A: Space> DooSabinModel<'_, A> {
-    /// F at the corners of the face.
+    /// The faces round each corner, and F at the corners.
     fn gather_facet(&self, face: u32, scratch: &mut DooSabinScratch<A::Point>) -> Gathered {
         let (topology, positions) = (self.mesh.topology, self.mesh.positions);
         let halfedges = topology.halfedges(face);
         let base = &positions[topology.origin(halfedges.start) as usize];
-        let DooSabinScratch { net, facet } = scratch;
+        let DooSabinScratch { nets, facet } = scratch;
         let mut result = Gathered::default();
         facet.clear();
-        for h in halfedges {
+        nets.resize_with(halfedges.len().max(nets.len()), QuarterNet::default);
+        for (h, net) in halfedges.zip(nets) {
             net.gather::<A>(topology, positions, h, base);
             result.size = net
                 .points()
@@ -89,9 +91,8 @@ impl<A: Space> Model<A> for DooSabinModel<'_, A> {
         scratch: &mut Self::Scratch,
         sink: &mut impl Sink<Self::Patch, Self::Net>,
     ) -> Gathered {
-        let (topology, positions) = (self.mesh.topology, self.mesh.positions);
+        let topology = self.mesh.topology;
         let halfedges = topology.halfedges(face);
-        let base = &positions[topology.origin(halfedges.start) as usize];
         if halfedges
             .clone()
             .all(|h| topology.is_boundary_vertex(topology.origin(h)))
@@ -99,12 +100,11 @@ impl<A: Space> Model<A> for DooSabinModel<'_, A> {
             return Gathered::default();
         }
         let result = self.gather_facet(face, scratch);
-        let DooSabinScratch { net, facet } = scratch;
-        for (i, h) in halfedges.enumerate() {
+        let DooSabinScratch { nets, facet } = scratch;
+        for ((i, h), net) in halfedges.enumerate().zip(nets) {
             if topology.is_boundary_vertex(topology.origin(h)) {
                 continue;
             }
-            net.gather::<A>(topology, positions, h, base);
             let u = 2.0 * i as f64;
             net.place(
                 quarter_facet::<A>(facet, i),

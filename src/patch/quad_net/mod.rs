@@ -13,9 +13,11 @@ use crate::mesh::{NONE, Point, Topology};
 use crate::scalar::{Field, Module};
 use crate::scheme::catmull_clark;
 
+mod regular;
 mod rules;
 mod step;
 
+pub use regular::regular_face;
 use rules::sum;
 pub use rules::{CatmullClarkRules, Fan};
 pub use step::{Scratch, split, split_polygon};

@@ -229,13 +229,15 @@ fn full_fan<S: Field, V: Module<S>>(p: &V, fan: FanView<'_, V>) -> ([V; 4], [V; 
     )
 }
 
+/// Places of each corner and of its edge neighbours 2, 3 and diagonal 2 in the 4 x 4 grid `4 j + i`.
+pub(super) const PLACE: [[usize; 4]; 4] =
+    [[5, 4, 1, 0], [6, 2, 7, 3], [10, 11, 14, 15], [9, 13, 8, 12]];
+
 /// S over a quad whose four corners are regular; u towards corner 1, v towards corner 3.
 pub(super) fn regular_patch<S: Field, V: Module<S>>(
     corner: [&V; 4],
     fan: [FanView<'_, V>; 4],
 ) -> Bicubic<V> {
-    // Places of a corner and of its edge neighbours 2, 3 and diagonal 2 in the 4 x 4 grid 4 j + i.
-    const PLACE: [[usize; 4]; 4] = [[5, 4, 1, 0], [6, 2, 7, 3], [10, 11, 14, 15], [9, 13, 8, 12]];
     let mut grid: [V; 16] = std::array::from_fn(|_| V::zero());
     for i in 0..4 {
         let ([_, _, e2, e3], [_, _, d2, _]) = full_fan::<S, V>(corner[i], fan[i]);
