@@ -276,37 +276,34 @@ pub(crate) fn resize<T: Copy>(
     }
 }
 
-/// Writes `a(0..n[0]), b(0..n[1]), c(0..n[2])` into `out`, one after the other: the same values for
-/// any number of threads.
+/// `out = f(0), .., f(n - 1)`: the same values for any number of threads.
 #[inline]
-pub(crate) fn sections<V: Clone + Zero + Send>(
+pub(crate) fn tabulate<V: Clone + Zero + Send>(
     out: &mut Vec<V>,
-    n: [u32; 3],
-    a: impl Fn(u32) -> V + Sync,
-    b: impl Fn(u32) -> V + Sync,
-    c: impl Fn(u32) -> V + Sync,
+    n: u32,
+    f: impl Fn(u32) -> V + Sync,
 ) {
-    let [first, second, third] = n.map(|count| count as usize);
-    let total = first + second + third;
-    if !parallel(total) {
+    if !parallel(n as usize) {
         out.clear();
-        out.reserve_exact(total);
-        out.extend((0..n[0]).map(a));
-        out.extend((0..n[1]).map(b));
-        out.extend((0..n[2]).map(c));
+        out.reserve_exact(n as usize);
+        out.extend((0..n).map(f));
         return;
     }
-    out.resize(total, V::zero());
-    let (a_out, rest) = out.split_at_mut(first);
-    let (b_out, c_out) = rest.split_at_mut(second);
-    in_chunks(a_out, CHUNK, &|start, out| fill_from(start, out, &a));
-    in_chunks(b_out, CHUNK, &|start, out| fill_from(start, out, &b));
-    in_chunks(c_out, CHUNK, &|start, out| fill_from(start, out, &c));
+    out.resize(n as usize, V::zero());
+    update(out, |i, value| *value = f(i));
 }
 
+/// Calls `f(i, &mut out[i])` for each i, in any order.
 #[inline]
-fn fill_from<V>(start: usize, out: &mut [V], f: impl Fn(u32) -> V) {
-    for (i, value) in (start as u32..).zip(out) {
-        *value = f(i);
+pub(crate) fn update<V: Send>(out: &mut [V], f: impl Fn(u32, &mut V) + Sync) {
+    let run = |start: usize, out: &mut [V]| {
+        for (i, value) in (start as u32..).zip(out) {
+            f(i, value);
+        }
+    };
+    if parallel(out.len()) {
+        in_chunks(out, CHUNK, &run);
+    } else {
+        run(0, out);
     }
 }

@@ -19,17 +19,18 @@
 //! | output | sums, in the order computed | r | q |
 //! |---|---|---|---|
 //! | Loop vertex, refined or limit | n - 1 additions, product, addition | n + 1 | 2 |
-//! | edge of triangles; boundary | addition, product, addition | 3 | 2 |
+//! | boundary | addition, product, addition | 3 | 2 |
+//! | edge of triangles | per face: addition, product, addition; addition | 4 | 4 |
 //! | lifted face sum (m-gon) | m - 1 additions, product | m | 1 |
 //! | face point | lifted sum, product | m + 1 | 2 |
-//! | edge between polygons | lifted sum, addition, product, addition | m + 3 | 4 |
-//! | Catmull-Clark vertex, refined or limit | lifted sum, n - 1 additions, product, addition | m + n + 1 | n + 3 |
+//! | edge between polygons | per face: lifted sum, product, addition; addition | m + 3 | 6 |
+//! | Catmull-Clark vertex, refined or limit | lifted sum, n additions, product, addition | m + n + 2 | n + 4 |
 //! | Doo-Sabin corner | product, m - 1 additions | m | m |
 //! | Doo-Sabin limit, k faces | corner, k - 1 additions, product | m + k | k m + 1 |
 //!
-//! Sums start from 0, an exact first addition. (`p c + (ring e) + (around f)`: the ring passes two additions, so r is n - 1 + 1 + 2 = n + 2 for it,
-//! below m + n + 1; p passes one product and two additions.) Two weights occur on a path where there
-//! is a lifted sum or a limit mean: then 2 κ counts.
+//! Sums start from 0, an exact first addition. Round a Catmull-Clark vertex each face adds
+//! `neighbour + j face`, j = 1 or 2: one addition, the products being exact. Two weights occur on a
+//! path where there is a lifted sum or a limit mean: then 2 κ counts.
 //!
 //! If the positions of level k are within E_k of the exact ones, applying the exact mask keeps that
 //! distance (it is a convex combination), so `E_(k+1) = E_k + γ_(r + κ) M_k + q 2^-1074`. M_k is read off
@@ -64,20 +65,20 @@ pub struct RefinementError {
     pub roundings: u32,
     /// q: the number of products in the longest expression.
     pub products: u32,
-    /// The longest sum, with 2 to spare: M times this must not overflow.
+    /// The largest sum of weights inside a sum, with 2 to spare: M times this must not overflow.
     pub terms: u32,
 }
 
 impl RefinementError {
     fn new(scheme: Scheme, present: &Present, weight_error: u32) -> Self {
-        let n = present.valences.last().copied().unwrap_or(0).max(2); // r >= 3
+        let n = present.valences.last().copied().unwrap_or(0).max(3); // r >= 4, for edges
         let m = present.largest_size();
         let k = present.fans.last().copied().unwrap_or(0);
         let (roundings, products) = match scheme {
-            Scheme::Loop(_) => (weight_error.saturating_add(n + 1), 2),
+            Scheme::Loop(_) => (weight_error.saturating_add(n + 1), 4),
             Scheme::CatmullClark => (
-                weight_error.saturating_mul(2).saturating_add(m + n + 1),
-                n + 3,
+                weight_error.saturating_mul(2).saturating_add(m + n + 2),
+                n + 4,
             ),
             Scheme::DooSabin => (
                 weight_error.saturating_mul(2).saturating_add(m + k),
@@ -87,7 +88,7 @@ impl RefinementError {
         RefinementError {
             roundings,
             products,
-            terms: n.max(m).max(k) + 2,
+            terms: n.saturating_mul(3).max(m).max(k) + 2,
         }
     }
 
@@ -211,14 +212,7 @@ impl Refiner<Point<f64>> {
             Target::Refined => positions::refined::<f64, Point<f64>>,
             Target::Limit => positions::limits::<f64, Point<f64>>,
         };
-        apply(
-            &masks,
-            self.corner,
-            topology,
-            points,
-            &mut self.scratch,
-            out,
-        );
+        apply(&masks, self.corner, topology, points, out);
         Ok((radius + added).next_up())
     }
 }

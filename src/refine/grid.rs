@@ -12,9 +12,9 @@
 //! | Doo-Sabin | quads | 4 |
 //!
 //! **No overflow.** Let |numerators| < 2^b. Weights are >= 0 with sum 2^s, so an output and each partial
-//! sum of it is below 2^(b+s) in magnitude; a sum over a ring of n points is at most n 2^b, a face
-//! lifted to M at most M 2^b, a ring of these n M 2^b. So `b + max(s, ceil log2(n M))` <= 127 bits
-//! suffice, tested once per step instead of once per operation.
+//! sum of it is below 2^(b+s) in magnitude; a face lifted to M is at most M 2^b, so is a neighbour taken M
+//! times, and a ring of n of each 2 n M 2^b. So `b + max(s, ceil log2(2 n M))` <= 127 bits suffice,
+//! tested once per step instead of once per operation.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -23,12 +23,11 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use super::corners::parallel;
 use super::error::RefineError;
-use super::masks::{Masks, Present, Target};
-use super::positions::Scratch;
+use super::masks::{Masks, Present, RingMask, Target};
 use super::{positions, topology::check};
 use crate::mesh::{Point, Topology};
 use crate::scalar::Rational;
-use crate::scheme::{CornerRule, Scheme, StarMask};
+use crate::scheme::{CornerRule, Scheme};
 use rayon::prelude::*;
 
 /// A weight times 2^s, or an integer lift.
@@ -48,12 +47,11 @@ pub struct Grid {
     pub exponent: i32,
 }
 
-/// Exact refinement that keeps its working memory from call to call.
+/// Exact refinement into memory that the caller keeps; it needs none of its own.
 #[derive(Clone, Debug)]
 pub struct GridRefiner {
     scheme: Scheme,
     corner: CornerRule,
-    scratch: Scratch<GridPoint>,
 }
 
 impl Grid {
@@ -166,13 +164,9 @@ impl Grid {
 }
 
 impl GridRefiner {
-    /// A refiner without memory yet.
+    /// A refiner by these rules.
     pub fn new(scheme: Scheme, corner: CornerRule) -> Self {
-        GridRefiner {
-            scheme,
-            corner,
-            scratch: Scratch::new(),
-        }
+        GridRefiner { scheme, corner }
     }
 
     /// [`Grid::refine`] into the memory of `out`, whose old contents are lost.
@@ -191,7 +185,7 @@ impl GridRefiner {
         let unit = present.largest_size().max(1);
         let (masks, shift) = dyadic_masks(self.scheme, &present, unit)?;
         let ring = present.valences.last().copied().unwrap_or(1).max(1);
-        let sum = (u64::from(ring) * u64::from(unit))
+        let sum = (2 * u64::from(ring) * u64::from(unit))
             .next_power_of_two()
             .ilog2();
         let bits = grid.bits() + shift.max(sum);
@@ -199,14 +193,7 @@ impl GridRefiner {
         let (true, Some(exponent)) = (bits <= 127, exponent) else {
             return Err(RefineError::GridOverflow { bits });
         };
-        positions::refined(
-            &masks,
-            self.corner,
-            topology,
-            &grid.points,
-            &mut self.scratch,
-            &mut out.points,
-        );
+        positions::refined(&masks, self.corner, topology, &grid.points, &mut out.points);
         out.exponent = exponent;
         Ok(())
     }
@@ -273,8 +260,8 @@ fn name_the_odd(masks: &Masks<Rational>, present: &Present) -> Result<(), Refine
     match masks {
         Masks::Star(masks) => {
             for &size in &present.valences {
-                let StarMask { center, edge, face } = &masks.vertex[size as usize];
-                if ![center, edge, face].into_iter().all(dyadic) {
+                let RingMask { center, ring } = &masks.vertex[size as usize];
+                if ![center, ring].into_iter().all(dyadic) {
                     return Err(RefineError::NotDyadic {
                         what: "valence",
                         size,

@@ -3,7 +3,7 @@
 use super::corners::BOUNDARY;
 use super::error::RefineError;
 use crate::mesh::Topology;
-use crate::scalar::Field;
+use crate::scalar::{Field, Ring};
 use crate::scheme::{
     LoopWeights, Scheme, StarMask, boundary, catmull_clark, doo_sabin, loop_scheme,
 };
@@ -86,23 +86,41 @@ pub(crate) enum Masks<W> {
     Corner(CornerMasks<W>),
 }
 
+/// `center P + ring Σ t`.
+#[derive(Clone, Debug)]
+pub(crate) struct RingMask<W> {
+    /// The vertex.
+    pub center: W,
+    /// The sum over its faces.
+    pub ring: W,
+}
+
 /// Weights of Loop and Catmull-Clark.
 ///
+/// Each point of a vertex or edge is a sum over its faces, so that one pass over faces serves all:
+///
+/// - vertex: `center P + ring Σ t`, t the neighbour along the face's half-edge, for Catmull-Clark
+///   `around[0] neighbour + around[1] lifted face sum`;
+/// - interior edge: `Σ (edge[0] (ends) + edge[1] inner)` over its two faces, inner being the
+///   opposite vertex or the lifted face sum.
+///
 /// Catmull-Clark's formulas use face points inside other points. So that every output is one
-/// multiplication deep in the weights, they are applied to *lifted* face sums
-/// `(Σ corners) lift[m] = M f`, f the face point and M `face_unit`: 1 in a field (the lifted sum is the
-/// face point), a multiple of all m on a grid of integers (`lift[m] = M / m`).
+/// multiplication deep in the weights (`around` are small integers), they are applied to *lifted*
+/// face sums `(Σ corners) lift[m] = M f`, f the face point and M `face_unit`: 1 in a field (the lifted
+/// sum is the face point), a multiple of all m on a grid of integers (`lift[m] = M / m`).
 #[derive(Clone, Debug)]
 pub(crate) struct StarMasks<W> {
     /// By interior valence; entries of absent valences mean nothing.
-    pub vertex: Vec<StarMask<W>>,
+    pub vertex: Vec<RingMask<W>>,
+    /// See above; unscaled on a grid.
+    pub around: [W; 2],
     /// A boundary vertex, and each of its neighbours along the boundary.
     pub boundary: [W; 2],
     /// Each end of a boundary edge.
     pub boundary_edge: W,
     /// One: a vertex that stays.
     pub keep: W,
-    /// Each end of an interior edge, and each opposite vertex (Loop) or lifted face sum.
+    /// From each face of an interior edge: each end, and the opposite vertex or lifted face sum.
     pub edge: [W; 2],
     /// By face size, see above; unscaled on a grid. Empty for Loop.
     pub lift: Vec<W>,
@@ -162,11 +180,10 @@ impl<S: Field> Masks<S> {
 }
 
 /// The entry of tables at absent indices: the vertex stays.
-fn filler<S: Field>() -> StarMask<S> {
-    StarMask {
+fn filler<S: Field>() -> RingMask<S> {
+    RingMask {
         center: S::one(),
-        edge: S::zero(),
-        face: S::zero(),
+        ring: S::zero(),
     }
 }
 
@@ -193,18 +210,37 @@ fn loop_masks<S: Field>(
     Ok(StarMasks {
         vertex: table(&present.valences, filler(), |size| {
             let what = "valence";
-            mask(weights, size).ok_or(RefineError::Unrepresentable { what, size })
+            let mask = mask(weights, size);
+            let StarMask { center, edge, .. } =
+                mask.ok_or(RefineError::Unrepresentable { what, size })?;
+            Ok(RingMask { center, ring: edge })
         })?,
+        around: [one.clone(), zero.clone()],
         boundary: boundary_mask(target),
         boundary_edge: boundary::edge_point::<S, S>(&one, &zero),
         edge: [
-            edge(&one, &zero, &zero, &zero),
+            edge(&one, &zero, &zero, &zero) * &S::ratio(1, 2),
             edge(&zero, &zero, &one, &zero),
         ],
         lift: Vec::new(),
         face: S::zero(),
         keep: one,
     })
+}
+
+fn catmull_clark_vertex<S: Field>(target: Target, n: u32) -> StarMask<S> {
+    match target {
+        Target::Refined => catmull_clark::vertex_mask::<S>(n),
+        Target::Limit => catmull_clark::limit_mask_polygons::<S>(n),
+    }
+}
+
+/// `face / edge` of [`catmull_clark_vertex`], an integer that is the same for all valences.
+fn faces_per_neighbour(target: Target) -> i64 {
+    match target {
+        Target::Refined => 1,
+        Target::Limit => 2,
+    }
 }
 
 fn catmull_clark_masks<S: Field>(
@@ -217,21 +253,24 @@ fn catmull_clark_masks<S: Field>(
     let edge = catmull_clark::edge_point::<S, S>;
     Ok(StarMasks {
         vertex: table(&present.valences, filler(), |n| {
-            let mut mask = match target {
-                Target::Refined => catmull_clark::vertex_mask::<S>(n),
-                Target::Limit => catmull_clark::limit_mask_polygons::<S>(n),
-            };
-            mask.face *= per_unit.clone();
-            Ok(mask)
+            let StarMask { center, edge, .. } = catmull_clark_vertex::<S>(target, n);
+            Ok(RingMask {
+                center,
+                ring: edge * &per_unit,
+            })
         })?,
+        around: [
+            <S as Ring>::from_integer(face_unit),
+            <S as Ring>::from_integer(faces_per_neighbour(target)),
+        ],
         boundary: boundary_mask(target),
         boundary_edge: boundary::edge_point::<S, S>(&one, &zero),
         edge: [
-            edge(&one, &zero, &zero, &zero),
+            edge(&one, &zero, &zero, &zero) * &S::ratio(1, 2),
             edge(&zero, &zero, &one, &zero) * &per_unit,
         ],
         lift: table(&present.sizes, one.clone(), |m| {
-            let unit = <S as crate::scalar::Ring>::from_integer(face_unit);
+            let unit = <S as Ring>::from_integer(face_unit);
             Ok(if face_unit == 1 {
                 catmull_clark::face_point::<S, S>(&one, m)
             } else {
@@ -254,15 +293,15 @@ impl<A> Masks<A> {
             Masks::Star(masks) => {
                 let mut vertex = Vec::with_capacity(masks.vertex.len());
                 for mask in &masks.vertex {
-                    vertex.push(StarMask {
+                    vertex.push(RingMask {
                         center: scaled(&mask.center)?,
-                        edge: scaled(&mask.edge)?,
-                        face: scaled(&mask.face)?,
+                        ring: scaled(&mask.ring)?,
                     });
                 }
                 let lift: Result<Vec<B>, E> = masks.lift.iter().map(&mut plain).collect();
                 Masks::Star(StarMasks {
                     vertex,
+                    around: [plain(&masks.around[0])?, plain(&masks.around[1])?],
                     boundary: [scaled(&masks.boundary[0])?, scaled(&masks.boundary[1])?],
                     boundary_edge: scaled(&masks.boundary_edge)?,
                     keep: scaled(&masks.keep)?,
@@ -285,5 +324,22 @@ impl<A> Masks<A> {
                 })
             }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Rational;
+
+    #[test]
+    fn a_face_counts_as_so_many_neighbours_at_any_valence() {
+        for target in [Target::Refined, Target::Limit] {
+            let ratio = <Rational as Ring>::from_integer(faces_per_neighbour(target));
+            for n in 1..40 {
+                let mask = catmull_clark_vertex::<Rational>(target, n);
+                assert_eq!(mask.face, mask.edge * &ratio, "{target:?}, valence {n}");
+            }
+        }
     }
 }

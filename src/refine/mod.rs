@@ -35,6 +35,7 @@ mod error;
 pub mod grid;
 mod masks;
 mod positions;
+mod star;
 pub mod topology;
 
 pub use enclosure::{Enclosed, enclose_limits, enclose_refined, position_error_bound};
@@ -42,8 +43,9 @@ pub use error::RefineError;
 pub use grid::Grid;
 pub use topology::{refine_topology, refine_topology_into};
 
+use std::marker::PhantomData;
+
 use masks::{Masks, Present, Target};
-use positions::Scratch;
 
 use crate::mesh::{Mesh, Point, Topology};
 use crate::scalar::{Field, Module};
@@ -115,21 +117,21 @@ pub fn limit_positions<S: Field, V: Module<S> + Send + Sync>(
     Ok(out)
 }
 
-/// Refinement that keeps its working memory from call to call.
+/// Refinement of points V into memory that the caller keeps; it needs none of its own.
 #[derive(Clone, Debug)]
 pub struct Refiner<V = Point<f64>> {
     scheme: Scheme,
     corner: CornerRule,
-    scratch: Scratch<V>,
+    points: PhantomData<V>,
 }
 
 impl<V> Refiner<V> {
-    /// A refiner without memory yet.
+    /// A refiner by these rules.
     pub fn new(scheme: Scheme, corner: CornerRule) -> Self {
         Refiner {
             scheme,
             corner,
-            scratch: Scratch::new(),
+            points: PhantomData,
         }
     }
 
@@ -159,14 +161,7 @@ impl<V> Refiner<V> {
         V: Module<S> + Send + Sync,
     {
         let masks = self.masks::<S>(Target::Refined, topology, positions)?;
-        positions::refined(
-            &masks,
-            self.corner,
-            topology,
-            positions,
-            &mut self.scratch,
-            out,
-        );
+        positions::refined(&masks, self.corner, topology, positions, out);
         Ok(())
     }
 
@@ -184,14 +179,7 @@ impl<V> Refiner<V> {
         V: Module<S> + Send + Sync,
     {
         let masks = self.masks::<S>(Target::Limit, topology, positions)?;
-        positions::limits(
-            &masks,
-            self.corner,
-            topology,
-            positions,
-            &mut self.scratch,
-            out,
-        );
+        positions::limits(&masks, self.corner, topology, positions, out);
         Ok(())
     }
 }

@@ -172,7 +172,12 @@ fn check_and_count<L: Layout>(
     let mut h = 0;
     for f in 0..layout.face_count(origin.len()) {
         let corners = layout.corners(origin, f);
-        if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices) {
+        let largest = corners.iter().fold(0, |top, &v| top.max(v));
+        if largest as usize >= vertices {
+            let vertex = *corners
+                .iter()
+                .find(|&&v| v as usize >= vertices)
+                .expect("one is");
             let (face, vertex_count) = (f as u32, vertices as u32);
             return Err(TopologyError::IndexOutOfRange {
                 face,
@@ -204,6 +209,16 @@ fn check_and_count<L: Layout>(
 /// The first corner that occurs again.
 #[inline(always)]
 fn repeated(corners: &[u32], sorted: &mut Vec<u32>) -> Option<u32> {
+    if let &[a, b, c] = corners
+        && (a != b) & (b != c) & (c != a)
+    {
+        return None;
+    }
+    if let &[a, b, c, d] = corners
+        && (a != b) & (a != c) & (a != d) & (b != c) & (b != d) & (c != d)
+    {
+        return None;
+    }
     if corners.len() <= SHORT {
         let again = |i: usize| corners[i + 1..].contains(&corners[i]);
         return (0..corners.len()).find(|&i| again(i)).map(|i| corners[i]);
