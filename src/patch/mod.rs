@@ -37,3 +37,22 @@ pub trait Sink<B, N> {
     /// Takes back storage that was not needed.
     fn discard(&mut self, net: N);
 }
+
+/// The largest squared distance of a point of a net to a corner of F: an upper bound of |S - F|^2
+/// where S lies in the hull of the points and F in that of its corners, the distance of two points
+/// being convex in both.
+fn farthest<'a, A: Space>(
+    points: impl Iterator<Item = &'a A::Point>,
+    facet: &[A::Point],
+) -> A::Square {
+    let mut largest = A::zero();
+    for point in points {
+        for f in facet {
+            let square = A::upper(&(point.clone() - f));
+            if square > largest {
+                largest = square;
+            }
+        }
+    }
+    largest
+}

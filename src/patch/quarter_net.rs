@@ -8,7 +8,7 @@
 
 use num_traits::Zero;
 
-use super::{Corners, Sink, Space};
+use super::{Corners, Sink, Space, farthest};
 use crate::bernstein::tensor::{Biquadratic, Tensor};
 use crate::bernstein::{from_net, mid_parameter, midpoint};
 use crate::mesh::{Point, Topology};
@@ -167,16 +167,7 @@ impl<V> QuarterNet<V> {
         A: Space<Point = V>,
         V: Module<A::Scalar>,
     {
-        let mut largest = A::zero();
-        for point in self.points() {
-            for f in &self.facet {
-                let square = A::upper(&(point.clone() - f));
-                if square > largest {
-                    largest = square;
-                }
-            }
-        }
-        largest
+        farthest::<A>(self.points(), &self.facet)
     }
 
     /// S - F at the centroid corner: S there is the centroid of the first face.

@@ -7,7 +7,7 @@
 
 use num_traits::Zero;
 
-use super::{Corners, Space};
+use super::{Corners, Space, farthest};
 use crate::bernstein::midpoint;
 use crate::mesh::{NONE, Point, Topology};
 use crate::scalar::{Field, Module};
@@ -179,16 +179,7 @@ impl<V> QuadNet<V> {
         A: Space<Point = V>,
         V: Module<A::Scalar>,
     {
-        let mut largest = A::zero();
-        for point in self.points() {
-            for f in &self.facet {
-                let square = A::upper(&(point.clone() - f));
-                if square > largest {
-                    largest = square;
-                }
-            }
-        }
-        largest
+        farthest::<A>(self.points(), &self.facet)
     }
 
     /// S - F at the irregular corner (`irregular` of a net that a split yields).

@@ -6,7 +6,7 @@
 
 use num_traits::Zero;
 
-use super::{Corners, Space};
+use super::{Corners, Space, farthest};
 use crate::mesh::{NONE, Point, Topology};
 use crate::scalar::{Field, Module};
 
@@ -108,28 +108,20 @@ impl<V> TriangleNet<V> {
         A: Space<Point = V>,
         V: Module<A::Scalar>,
     {
-        let mut largest = A::zero();
-        let mut include = |point: &V| {
-            for f in &self.facet {
-                let square = A::upper(&(point.clone() - f));
-                if square > largest {
-                    largest = square;
-                }
-            }
-        };
         // Each point once: the rings of corners 1 and 2 begin with points of the rings before, and
         // that of corner 2 ends with one.
-        include(&self.corner[0]);
-        self.ring[0].points.iter().for_each(&mut include);
-        for (ring, last) in [(&self.ring[1], 0), (&self.ring[2], 1)] {
+        let own = |corner: usize, last: usize| {
+            let ring = &self.ring[corner];
             let n = ring.points.len();
-            if ring.closed && n > 4 {
-                (3..n - last).for_each(|k| include(&ring.points[(ring.at + k) % n]));
+            let range = if ring.closed && n > 4 {
+                3..n - last
             } else {
-                ring.points.iter().for_each(&mut include);
-            }
-        }
-        largest
+                0..n
+            };
+            range.map(move |k| &ring.points[(ring.at + k) % n])
+        };
+        let points = std::iter::once(&self.corner[0]).chain(&self.ring[0].points);
+        farthest::<A>(points.chain(own(1, 0)).chain(own(2, 1)), &self.facet)
     }
 
     /// F at parameters `(v, w)` of a gathered face.
