@@ -216,7 +216,12 @@ fn ply_faces_carry_scalars_and_colours() {
     );
     let bytes = fs::read(&ply).expect("the PLY file");
     let header = String::from_utf8_lossy(&bytes[..600.min(bytes.len())]).to_string();
-    for property in ["double distance_lo", "double distance_hi", "uchar red"] {
+    for property in [
+        "double distance_lo",
+        "double distance_hi",
+        "double quality",
+        "uchar red",
+    ] {
         assert!(header.contains(property), "{header}");
     }
     subcert(&["info", &ply.display().to_string()])

@@ -27,8 +27,10 @@ pub enum FacesError {
 pub enum Format {
     /// `face,lo,hi`, faces from 0; empty fields where a face has no surface.
     Csv,
-    /// The measured mesh with face properties `distance_lo`, `distance_hi` (-1 where a face has no
-    /// surface) and colours.
+    /// The measured mesh with face properties `distance_lo`, `distance_hi` and `quality` (the same as
+    /// `distance_hi`, under the name that MeshLab looks for; -1 where a face has no surface), face
+    /// colours, and vertex colours (the largest `hi` round the vertex) for programs without face
+    /// colours.
     Ply,
 }
 
@@ -92,23 +94,36 @@ fn write_ply(path: &Path, mesh: &Mesh, values: &[Option<[f64; 2]>]) -> Result<()
     let side = |i: usize| -> Vec<f64> { values.iter().map(|v| v.map_or(-1.0, |v| v[i])).collect() };
     let (lo, hi) = (side(0), side(1));
     let largest = hi.iter().copied().fold(0.0, f64::max);
-    let colors: Vec<[u8; 3]> = hi
-        .iter()
-        .map(|&hi| {
-            if hi < 0.0 {
-                [160; 3]
-            } else {
-                color(if largest > 0.0 { hi / largest } else { 0.0 })
-            }
-        })
-        .collect();
+    let face_colors = colors(&hi, largest);
+    let mut around = vec![-1.0_f64; mesh.positions.len()];
+    for (face, &hi) in (0..).zip(&hi) {
+        for &vertex in mesh.topology.corners(face) {
+            around[vertex as usize] = around[vertex as usize].max(hi);
+        }
+    }
+    let vertex_colors = colors(&around, largest);
     debug_assert_eq!(Topology::face_count(&mesh.topology) as usize, values.len());
     PlyWriter::new(mesh)
         .comment("distance_lo and distance_hi enclose the parametric distance over each face")
         .face_number("distance_lo", &lo)
         .face_number("distance_hi", &hi)
-        .face_colors(&colors)
+        .face_number("quality", &hi)
+        .face_colors(&face_colors)
+        .vertex_colors(&vertex_colors)
         .write(path)
+}
+
+/// Grey where there is no surface (negative values), otherwise a colour relative to the largest value.
+fn colors(values: &[f64], largest: f64) -> Vec<[u8; 3]> {
+    let relative = |x: f64| if largest > 0.0 { x / largest } else { 0.0 };
+    let pick = |&x: &f64| {
+        if x < 0.0 {
+            [160; 3]
+        } else {
+            color(relative(x))
+        }
+    };
+    values.iter().map(pick).collect()
 }
 
 /// A perceptually even scale from dark blue (0) over green to yellow (1).

@@ -12,7 +12,11 @@ use super::ply::CORNER_LISTS;
 use super::{MeshError, write_atomically};
 use crate::mesh::{Mesh, Point};
 
-/// Writes a mesh as PLY: `double` coordinates, and per face any numbers and a colour.
+/// The names of a colour's parts.
+const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+
+/// Writes a mesh as PLY: `double` coordinates, colours of vertices, and per face any numbers and a
+/// colour.
 #[derive(Clone, Debug)]
 pub struct PlyWriter<'a> {
     mesh: &'a Mesh,
@@ -20,6 +24,7 @@ pub struct PlyWriter<'a> {
     comments: Vec<&'a str>,
     face_numbers: Vec<(&'a str, &'a [f64])>,
     face_colors: Option<&'a [[u8; 3]]>,
+    vertex_colors: Option<&'a [[u8; 3]]>,
 }
 
 impl<'a> PlyWriter<'a> {
@@ -32,6 +37,7 @@ impl<'a> PlyWriter<'a> {
             comments,
             face_numbers,
             face_colors: None,
+            vertex_colors: None,
         }
     }
 
@@ -53,6 +59,13 @@ impl<'a> PlyWriter<'a> {
     #[must_use]
     pub fn face_number(mut self, name: &'a str, values: &'a [f64]) -> Self {
         self.face_numbers.push((name, values));
+        self
+    }
+
+    /// Adds the `uchar` properties `red`, `green` and `blue` to the vertices, one colour each.
+    #[must_use]
+    pub fn vertex_colors(mut self, colors: &'a [[u8; 3]]) -> Self {
+        self.vertex_colors = Some(colors);
         self
     }
 
@@ -78,7 +91,7 @@ impl<'a> PlyWriter<'a> {
     /// Writes to any stream.
     ///
     /// # Errors
-    /// If and only if the stream fails, a property hasn't one value for each face, two have one
+    /// If and only if the stream fails, a property hasn't one value for each face or vertex, two have one
     /// name, a name is no identifier, a comment is longer than a line, or the mesh has more than
     /// 2^31 vertices.
     pub fn write_to(&self, mut out: &mut dyn Write) -> io::Result<()> {
@@ -88,8 +101,9 @@ impl<'a> PlyWriter<'a> {
         let face_def = &header.elements["face"];
         let vertices = Writer::<VertexOut>::new();
         vertices.write_header(&mut out, &header)?;
-        for Point(point) in &self.mesh.positions {
-            let row = VertexOut(*point);
+        for (vertex, Point(point)) in self.mesh.positions.iter().enumerate() {
+            let color = self.vertex_colors.map_or([0; 3], |colors| colors[vertex]);
+            let row = VertexOut(*point, color);
             if self.text {
                 vertices.write_ascii_element(&mut out, &row, vertex_def)?;
             } else {
@@ -139,6 +153,15 @@ impl<'a> PlyWriter<'a> {
         if self.face_colors.is_some_and(|colors| colors.len() != faces) {
             return refuse(format!("the colours are not one for each of {faces} faces"));
         }
+        let vertices = self.mesh.positions.len();
+        if self
+            .vertex_colors
+            .is_some_and(|colors| colors.len() != vertices)
+        {
+            return refuse(format!(
+                "the colours are not one for each of {vertices} vertices"
+            ));
+        }
         if self.comments.iter().any(|c| c.contains(['\n', '\r'])) {
             return refuse("a comment is longer than a line".into());
         }
@@ -152,6 +175,11 @@ impl<'a> PlyWriter<'a> {
         vertex.count = self.mesh.positions.len();
         for axis in ["x", "y", "z"] {
             vertex.properties.add(scalar(axis, ScalarType::Double));
+        }
+        if self.vertex_colors.is_some() {
+            for channel in CHANNELS {
+                vertex.properties.add(scalar(channel, ScalarType::UChar));
+            }
         }
         let mut face = ElementDef::new("face".into());
         face.count = topology.face_count() as usize;
@@ -171,7 +199,7 @@ impl<'a> PlyWriter<'a> {
             face.properties.add(scalar(name, ScalarType::Double));
         }
         if self.face_colors.is_some() {
-            for channel in ["red", "green", "blue"] {
+            for channel in CHANNELS {
                 face.properties.add(scalar(channel, ScalarType::UChar));
             }
         }
@@ -188,17 +216,20 @@ impl<'a> PlyWriter<'a> {
     }
 }
 
-struct VertexOut([f64; 3]);
+struct VertexOut([f64; 3], [u8; 3]);
 
 impl PropertyAccess for VertexOut {
     fn new() -> Self {
-        Self([0.0; 3])
+        Self([0.0; 3], [0; 3])
     }
     fn get_double(&self, name: &str) -> Option<f64> {
         ["x", "y", "z"]
             .iter()
             .position(|axis| *axis == name)
             .map(|i| self.0[i])
+    }
+    fn get_uchar(&self, name: &str) -> Option<u8> {
+        CHANNELS.iter().position(|c| *c == name).map(|i| self.1[i])
     }
 }
 
@@ -228,7 +259,7 @@ impl PropertyAccess for FaceOut<'_> {
         Some(numbers.1[self.face])
     }
     fn get_uchar(&self, name: &str) -> Option<u8> {
-        let channel = ["red", "green", "blue"].iter().position(|c| *c == name)?;
+        let channel = CHANNELS.iter().position(|c| *c == name)?;
         Some(self.file?.face_colors?[self.face][channel])
     }
 }
