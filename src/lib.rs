@@ -38,8 +38,10 @@
 #![warn(missing_docs)]
 
 pub mod bernstein;
+pub mod bound;
 pub mod distance;
 pub mod linalg;
+pub mod lp;
 pub mod mesh;
 pub mod patch;
 pub mod refine;

@@ -29,7 +29,7 @@ pub mod rational;
 
 pub use cyclotomic::Cyclotomic;
 pub use interval::Interval;
-pub use rational::Rational;
+pub use rational::{Rational, ShortRational};
 
 /// A commutative ring with by-reference operators.
 ///

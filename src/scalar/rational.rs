@@ -48,3 +48,26 @@ impl Decide for Rational {
         Some(left.cmp(&(other.numer() * self.denom())))
     }
 }
+
+/// A rational in machine integers, for the weights of masks; its operators panic on overflow in
+/// tests, so it is kept to numbers of a few digits.
+pub type ShortRational = num_rational::Rational64;
+
+impl Ring for ShortRational {
+    fn from_integer(k: i64) -> Self {
+        ShortRational::from_integer(k)
+    }
+}
+
+impl Field for ShortRational {
+    fn ratio(p: i64, q: i64) -> Self {
+        ShortRational::new(p, q)
+    }
+
+    fn two_cos(j: u32, n: u32) -> Option<Self> {
+        let value = <Rational as Field>::two_cos(j, n)?;
+        Some(ShortRational::from_integer(
+            num_traits::ToPrimitive::to_i64(value.numer())?,
+        ))
+    }
+}

@@ -147,28 +147,51 @@ fn level_one<S: Field, V: Module<S>>(
     count: usize,
 ) -> Option<Vec<V>> {
     assert!(n >= 3, "Loop's local net needs a valence of at least 3");
+    let mask = vertex_mask::<S>(weights, n)?;
+    let rule = |center: &V, ring_sum: &V| mask.apply_ring(center, ring_sum);
+    Some(level_one_by::<S, V>(n, net, count, rule))
+}
+
+/// [`extended_net`] with the rule of the extraordinary vertex given as a function of the vertex and
+/// the sum over its ring: for arithmetics in which the ring weight is a variable.
+///
+/// # Panics
+/// As [`extended_net`].
+pub fn extended_net_by<S: Field, V: Module<S>>(
+    n: u32,
+    net: &[V],
+    extraordinary: impl Fn(&V, &V) -> V,
+) -> Vec<V> {
+    assert!(n >= 3, "Loop's local net needs a valence of at least 3");
+    level_one_by::<S, V>(n, net, extended_net_size(n), extraordinary)
+}
+
+fn level_one_by<S: Field, V: Module<S>>(
+    n: u32,
+    net: &[V],
+    count: usize,
+    extraordinary: impl Fn(&V, &V) -> V,
+) -> Vec<V> {
     assert_eq!(net.len(), local_net_size(n), "a local net has n + 6 points");
-    let extraordinary = vertex_mask::<S>(weights, n)?;
     // At valence 6 both weights are 3/8; Warren's is rational, hence never refused.
-    let regular = vertex_mask::<S>(LoopWeights::Warren, 6)?;
+    let regular = vertex_mask::<S>(LoopWeights::Warren, 6).expect("3/8 is rational");
     let point = |label: usize| &net[label - 1];
     let refined = (1..=count).map(|label| match level_one_point(n, label) {
         LevelOnePoint::Vertex(center) => {
-            let mask = if center == 1 {
-                &extraordinary
-            } else {
-                &regular
-            };
             let ring = ring(n, center).expect("1, 2 and n+1 have rings");
             let sum = ring.iter().fold(V::zero(), |sum, &i| sum + point(i));
-            mask.apply_ring(point(center), &sum)
+            if center == 1 {
+                extraordinary(point(center), &sum)
+            } else {
+                regular.apply_ring(point(center), &sum)
+            }
         }
         LevelOnePoint::Edge(a, b) => {
             let (c, d) = opposite(n, a, b);
             edge_point::<S, V>(point(a), point(b), point(c), point(d))
         }
     });
-    Some(refined.collect())
+    refined.collect()
 }
 
 /// The two vertices opposite to the edge from `a`, a vertex with a ring, to its neighbour `b`.

@@ -1,0 +1,153 @@
+//! Why a bound holds over a part: the weights of a target's Bernstein coefficients in a basis, and
+//! three reasons why the quartic they form stays below a number.
+//!
+//! Let `t(v,w) = Σ t_i B_i(v,w)` and `t_i = Σ_l x_l^i α_l` in one basis. Then
+//! `‖t(v,w)‖ <= Σ_l |Σ_i x_l^i B_i| <= c(v,w) = Σ_i c_i B_i(v,w)`, `c_i = Σ_l |x_l^i|`. Where no x_l
+//! changes its sign over the part, c is the value of the basis' dual net: sharp.
+
+use num_bigint::BigInt;
+use num_traits::{One, Signed, Zero};
+
+use super::functional::{ExactFunctional, FloatFunctional, Integer};
+use super::value::{RingWeight, Value, value_of};
+use crate::bernstein::Patch;
+use crate::bernstein::triangle::{QuarticTriangle, index};
+use crate::lp::Basis;
+use crate::scalar::Rational;
+
+/// Why a quartic stays below a bound over its triangle.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum By {
+    /// All coefficients do.
+    Hull,
+    /// The coefficients off one edge do; on the edge the quartic is concave and its tangent at a
+    /// parameter does at both ends. Edge e is opposite to corner e.
+    Edge(usize, Rational),
+    /// The quartic is concave, and its tangent plane at a point does at the three corners.
+    Concave(Rational, Rational),
+}
+
+/// The weight `Σ |x_l|` of a functional in a basis; `None` if it is not in the span of the rows.
+///
+/// Where the sign of x_l is not certain on the fine enclosure of b, a rational at least |x_l q| takes
+/// its place.
+pub fn exact_weight<T: Integer>(
+    weight: &RingWeight,
+    t: &ExactFunctional<T>,
+    basis: &Basis,
+) -> Option<Value> {
+    let degree = t.numerators.len();
+    let polynomial = |column: &[i64]| -> Vec<T> {
+        let dot = |row: &Vec<T>| {
+            let mut sum = T::zero();
+            for (a, &k) in row.iter().zip(column).filter(|(_, k)| **k != 0) {
+                sum.add_scaled(a, k);
+            }
+            sum
+        };
+        t.numerators.iter().map(dot).collect()
+    };
+    let in_span = |net: &[i64]| polynomial(net).iter().all(Integer::is_zero);
+    if !basis.kernel().all(in_span) {
+        return None;
+    }
+    let mut sum = vec![T::zero(); degree];
+    let mut slack = Rational::zero();
+    for (_, column) in basis.row_columns() {
+        let x = polynomial(column);
+        match weight.sign(&x) {
+            Some(sign) => {
+                for (s, c) in sum.iter_mut().zip(&x) {
+                    s.add_scaled(c, i64::from(sign));
+                }
+            }
+            None => slack += weight.magnitude(&x),
+        }
+    }
+    let denominator = BigInt::from(t.denominator) * basis.determinant().abs();
+    let slack = slack / Rational::from_integer(denominator.clone());
+    Some(value_of(&sum, &denominator) + &Value::new(vec![slack]))
+}
+
+/// [`exact_weight`] in `f64`: a proposal. `columns` are those of the basis' rows, divided by the
+/// determinant.
+pub fn float_weight(t: &FloatFunctional, columns: &[Vec<f64>]) -> f64 {
+    columns.iter().map(|column| t.at(column).abs()).sum()
+}
+
+/// Whether the quartic with the given coefficients is at most `bound` over its triangle, for the
+/// given reason; exact.
+pub fn holds(weight: &RingWeight, c: &[Value; 15], by: &By, bound: &Value) -> bool {
+    let below = |value: &Value| weight.at_most(value, bound);
+    match by {
+        By::Hull => c.iter().all(below),
+        By::Edge(edge, at) => {
+            let on = edge_indices(*edge);
+            if !(0..15).all(|i| on.contains(&i) || below(&c[i])) {
+                return false;
+            }
+            let f = on.map(|i| c[i].clone());
+            let concave = f.windows(3).all(|w| {
+                let second = w[0].clone() + &w[2] - &(w[1].clone() * &two());
+                weight.at_most(&second, &Value::zero())
+            });
+            let (value, slope) = evaluate_quartic(&f, at);
+            let start = value.clone() - &(slope.clone() * at);
+            let end = value + &(slope * &(Rational::one() - at));
+            let inside = !at.is_negative() && *at <= Rational::one();
+            inside && concave && below(&start) && below(&end)
+        }
+        By::Concave(v, w) => {
+            let patch = QuarticTriangle(c.clone());
+            let [vv, vw, ww] = Patch::<Rational, Value>::second_derivatives(&patch);
+            let concave = (0..6).all(|i| negative_semidefinite(weight, &vv[i], &vw[i], &ww[i]));
+            let (value, [gv, gw]) = patch.evaluate([v, w]);
+            let origin = value - &(gv.clone() * v) - &(gw.clone() * w);
+            concave && below(&origin) && below(&(origin.clone() + &gv)) && below(&(origin + &gw))
+        }
+    }
+}
+
+/// Indices of the coefficients on the edge opposite to a corner, from its lower corner to the higher.
+pub fn edge_indices(edge: usize) -> [usize; 5] {
+    std::array::from_fn(|i| match edge {
+        0 => index(4 - i, i),
+        1 => index(0, i),
+        _ => index(i, 0),
+    })
+}
+
+fn two() -> Rational {
+    Rational::from_integer(BigInt::from(2))
+}
+
+/// Value and slope of a quartic in Bernstein form on [0, 1], by de Casteljau's algorithm.
+fn evaluate_quartic(f: &[Value; 5], at: &Rational) -> (Value, Value) {
+    let rest = Rational::one() - at;
+    let mut level = f.to_vec();
+    while level.len() > 2 {
+        let mean = |pair: &[Value]| pair[0].clone() * &rest + &(pair[1].clone() * at);
+        level = level.windows(2).map(mean).collect();
+    }
+    let slope = (level[1].clone() - &level[0]) * &Rational::from_integer(BigInt::from(4));
+    (level[0].clone() * &rest + &(level[1].clone() * at), slope)
+}
+
+/// Whether [[a, b], [b, d]] has no positive eigenvalue: a <= 0, d <= 0, b^2 <= a d. The factor 1/q is
+/// common to the three.
+fn negative_semidefinite(weight: &RingWeight, a: &Value, b: &Value, d: &Value) -> bool {
+    let zero = Value::zero();
+    let product = |x: &Value, y: &Value| {
+        let (x, y) = (x.coefficients(), y.coefficients());
+        let mut sums = vec![Rational::zero(); x.len() + y.len()];
+        for (i, p) in x.iter().enumerate() {
+            for (j, q) in y.iter().enumerate() {
+                sums[i + j] += p * q;
+            }
+        }
+        Value::new(sums)
+    };
+    weight.at_most(a, &zero)
+        && weight.at_most(d, &zero)
+        && weight.at_most(&product(b, b), &product(a, d))
+}
