@@ -39,6 +39,7 @@
 
 pub mod bernstein;
 pub mod bound;
+pub mod certificate;
 pub mod distance;
 pub mod linalg;
 pub mod lp;

@@ -24,6 +24,8 @@ pub enum Constant {
     MeshRate(usize),
     /// ‖t_i‖, t_i a Bernstein coefficient of S less the level-0 limit triangle over a word.
     Coefficient(Word, usize),
+    /// HW's β: the maximum over all tiles of the quartics with the coefficients ‖t_i‖, whole tiles.
+    Beta,
 }
 
 /// Where a lower bound is attained.
@@ -103,6 +105,17 @@ const MOST_STEPS: usize = 14;
 /// Most rounds of raising the upper bound.
 const MOST_ROUNDS: usize = 40;
 
+impl Proof {
+    /// The relative gap (hi - lo) / hi, rounded upwards; 0 where an exact value was proved.
+    pub fn gap(&self) -> f64 {
+        if self.exact.is_some() || self.hi == self.lo {
+            0.0
+        } else {
+            ((self.hi - self.lo) / self.hi).next_up()
+        }
+    }
+}
+
 impl Prover {
     /// Encloses a constant within the relative gap; `None` if no proof was found.
     pub fn prove(&mut self, constant: Constant, gap: f64) -> Option<Proof> {
@@ -111,6 +124,7 @@ impl Prover {
             Constant::Rate(k) => self.rate(constant, vec![Word::zeros(k)]),
             Constant::MeshRate(k) => self.rate(constant, words_of(k)),
             Constant::Coefficient(word, index) => self.coefficient(word, index),
+            Constant::Beta => None,
         }
     }
 
@@ -123,6 +137,13 @@ impl Prover {
     /// The bound `C_0 = max(1/2, 8 n b / q)`, proved, over the face or a part of it at the corner; or
     /// a larger one where that fails.
     pub fn main_lemma(&mut self) -> Option<Lemma> {
+        if self.main_lemma.is_none() {
+            self.main_lemma = self.prove_main_lemma();
+        }
+        self.main_lemma.clone()
+    }
+
+    fn prove_main_lemma(&mut self) -> Option<Lemma> {
         let half = Value::rational(self.valence(), &Rational::ratio(1, 2));
         let vertex = self.vertex_displacement();
         let sharp = if self.weight.at_most(&vertex, &half) {
@@ -191,7 +212,9 @@ impl Prover {
             let Ok(tail) = self.prove_tail(&tail, bound) else {
                 continue;
             };
-            let cells = self.prove_rings(Target::Linear(depth), depth, steps, bound).ok()?;
+            let cells = self
+                .prove_rings(Target::Linear(depth), depth, steps, bound)
+                .ok()?;
             return Some(Lemma {
                 depth,
                 steps,
@@ -217,9 +240,19 @@ impl Prover {
             if against == Against::Control
                 && k == 0
                 && global.depth == 0
-                && self.weight.at_most(&global.bound.value, &lower) {
+                && self.weight.at_most(&global.bound.value, &lower)
+            {
                 let bound = global.bound.value.clone();
-                return Some(self.finish(constant, Some(bound), lo.inf(), lo.sup(), best.net, at, Some(global), Conclusion::Apply));
+                return Some(self.finish(
+                    constant,
+                    Some(bound),
+                    lo.inf(),
+                    lo.sup(),
+                    best.net,
+                    at,
+                    Some(global),
+                    Conclusion::Apply,
+                ));
             }
             // The first attempt: the value itself; then above it by half the gap, later by more.
             let bound = if try_exact {
@@ -233,7 +266,16 @@ impl Prover {
                 Ok((lemma, conclusion)) => {
                     let exact = try_exact.then(|| lower.clone());
                     let hi = self.weight.enclose(&bound.value).sup();
-                    return Some(self.finish(constant, exact, lo.inf(), hi, best.net, at, Some(lemma), conclusion));
+                    return Some(self.finish(
+                        constant,
+                        exact,
+                        lo.inf(),
+                        hi,
+                        best.net,
+                        at,
+                        Some(lemma),
+                        conclusion,
+                    ));
                 }
                 Err(Failure::Exceeded(value)) if value > best.value * (1.0 + 1e-9) => {
                     let better = self.search(against, k)?;
@@ -314,7 +356,9 @@ impl Prover {
         // and the distance near the corner is the vertex displacement.
         if against == Against::Control && k > 0 {
             let local = self.bound(self.vertex_displacement());
-            if self.weight.compare(&local.value, &global.bound.value) == Some(std::cmp::Ordering::Less) {
+            if self.weight.compare(&local.value, &global.bound.value)
+                == Some(std::cmp::Ordering::Less)
+            {
                 for depth in 1..=6 {
                     if let Some(lemma) = self.lemma(depth, &local) {
                         return attempt(self, &lemma).map(|conclusion| (lemma, conclusion));
@@ -372,7 +416,10 @@ impl Prover {
     fn search(&mut self, against: Against, k: usize) -> Option<Witness> {
         let mut best: Option<Witness> = None;
         let mut consider = |witness: Witness| {
-            if best.as_ref().is_none_or(|b| witness.value > b.value * (1.0 + 1e-12)) {
+            if best
+                .as_ref()
+                .is_none_or(|b| witness.value > b.value * (1.0 + 1e-12))
+            {
                 best = Some(witness);
             }
         };
@@ -401,7 +448,10 @@ impl Prover {
         for ring in 0..k + 4 {
             let mut words = vec![Word::zeros(ring).child(1), Word::zeros(ring).child(2)];
             while words.first().is_some_and(|word| word.len() < k) {
-                words = words.iter().flat_map(|word| (0..4).map(|l| word.child(l))).collect();
+                words = words
+                    .iter()
+                    .flat_map(|word| (0..4).map(|l| word.child(l)))
+                    .collect();
                 words.retain(|word| *word <= word.mirror());
             }
             for word in words {
@@ -410,7 +460,12 @@ impl Prover {
                     let (net, _) = self.propose(&at(&t, start), hint)?;
                     hint = Some(net);
                     let (value, at) = self.maximum(&t, net);
-                    found.push(Witness { value, word, at, net });
+                    found.push(Witness {
+                        value,
+                        word,
+                        at,
+                        net,
+                    });
                 }
             }
         }
@@ -426,7 +481,11 @@ impl Prover {
         let values: [f64; 15] = std::array::from_fn(|i| t[i].at(&self.candidate(net).net));
         let (value, at) = quartic::maximise(&values);
         let (other, there) = quartic::maximise(&values.map(|x| -x));
-        if other > value { (other, there) } else { (value, at) }
+        if other > value {
+            (other, there)
+        } else {
+            (value, at)
+        }
     }
 
     /// Alternates between the best net at a point and the best point of a net.
@@ -440,7 +499,12 @@ impl Prover {
             if value <= witness.value * (1.0 + 1e-13) {
                 break;
             }
-            witness = Witness { value, at, net, ..witness };
+            witness = Witness {
+                value,
+                at,
+                net,
+                ..witness
+            };
         }
         Some(witness)
     }
@@ -459,21 +523,37 @@ impl Prover {
                 list.push(index);
                 let exact = self.big().differences(word).swap_remove(l);
                 let exact = self.big().space_scale(&exact);
-                let above = super::cell::exact_weight(&self.weight, &exact, &self.candidate(index).basis)?;
+                let above =
+                    super::cell::exact_weight(&self.weight, &exact, &self.candidate(index).basis)?;
                 if !self.weight.at_most(&above, &upper) {
                     upper = above;
                 }
                 let below = self.absolute(self.value_at(&exact, index));
-                if best.as_ref().is_none_or(|(known, ..)| !self.weight.at_most(&below, known)) {
+                if best
+                    .as_ref()
+                    .is_none_or(|(known, ..)| !self.weight.at_most(&below, known))
+                {
                     best = Some((below, index, At::Difference(word, l)));
                 }
             }
             bases.push((word, list));
         }
         let (lower, net, at) = best?;
-        let (lo, hi) = (self.weight.enclose(&lower).inf(), self.weight.enclose(&upper).sup());
+        let (lo, hi) = (
+            self.weight.enclose(&lower).inf(),
+            self.weight.enclose(&upper).sup(),
+        );
         let exact = self.weight.at_most(&upper, &lower).then_some(lower);
-        Some(self.finish(constant, exact, lo, hi, net, at, None, Conclusion::Differences(bases)))
+        Some(self.finish(
+            constant,
+            exact,
+            lo,
+            hi,
+            net,
+            at,
+            None,
+            Conclusion::Differences(bases),
+        ))
     }
 
     fn coefficient(&mut self, word: Word, index: usize) -> Option<Proof> {
@@ -483,20 +563,38 @@ impl Prover {
         let lower = self.values_at(word, target, net)[index].clone();
         let lower = self.absolute(lower);
         let upper = self.exact_weights(word, target, &[net])?[index].clone();
-        let (lo, hi) = (self.weight.enclose(&lower).inf(), self.weight.enclose(&upper).sup());
+        let (lo, hi) = (
+            self.weight.enclose(&lower).inf(),
+            self.weight.enclose(&upper).sup(),
+        );
         let exact = self.weight.at_most(&upper, &lower).then_some(lower);
         let constant = Constant::Coefficient(word, index);
-        Some(self.finish(constant, exact, lo, hi, net, At::Claimed, None, Conclusion::Weight(net)))
+        Some(self.finish(
+            constant,
+            exact,
+            lo,
+            hi,
+            net,
+            At::Claimed,
+            None,
+            Conclusion::Weight(net),
+        ))
     }
 
     /// The exact constant as an algebraic number, if it was found.
     pub fn closed_form(&self, proof: &Proof) -> Option<Cyclotomic> {
-        proof.exact.as_ref().map(|value| self.weight.evaluate(value))
+        proof
+            .exact
+            .as_ref()
+            .map(|value| self.weight.evaluate(value))
     }
 }
 
 /// The value of a quartic with functional coefficients at a point.
-fn at(t: &[super::functional::FloatFunctional], point: [f64; 2]) -> super::functional::FloatFunctional {
+fn at(
+    t: &[super::functional::FloatFunctional],
+    point: [f64; 2],
+) -> super::functional::FloatFunctional {
     let weights = quartic::basis(point);
     let terms = t.iter().zip(weights);
     let zero = super::functional::FloatFunctional::zero();
@@ -507,7 +605,10 @@ fn at(t: &[super::functional::FloatFunctional], point: [f64; 2]) -> super::funct
 fn words_of(level: usize) -> Vec<Word> {
     let mut words = vec![Word::EMPTY];
     for _ in 0..level {
-        words = words.iter().flat_map(|word| (0..4).map(|l| word.child(l))).collect();
+        words = words
+            .iter()
+            .flat_map(|word| (0..4).map(|l| word.child(l)))
+            .collect();
     }
     words.retain(|word| *word <= word.mirror());
     words

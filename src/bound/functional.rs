@@ -277,7 +277,10 @@ impl<T: Integer> Mul<&ShortRational> for ExactFunctional<T> {
             let entries = self.numerators.iter_mut().flatten();
             entries.for_each(|a| *a = a.scaled(p));
         }
-        self.denominator = self.denominator.checked_mul(i128::from(q)).expect(TOO_LARGE);
+        self.denominator = self
+            .denominator
+            .checked_mul(i128::from(q))
+            .expect(TOO_LARGE);
         debug_assert!(self.denominator > 0);
         self
     }

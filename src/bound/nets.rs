@@ -234,7 +234,8 @@ impl<A: Space> Nets<A> {
                 Net::Extraordinary(points) => {
                     let sum = |center| {
                         let ring = loop_scheme::ring(n, center).expect("a corner has a ring");
-                        ring.iter().fold(<A::V as Zero>::zero(), |s, &i| s + &points[i - 1])
+                        ring.iter()
+                            .fold(<A::V as Zero>::zero(), |s, &i| s + &points[i - 1])
                     };
                     let regular = loop_scheme::limit_mask::<A::S>(LoopWeights::Warren, 6)
                         .expect("the weight of valence 6 is rational");
@@ -308,7 +309,9 @@ impl<A: Space> Nets<A> {
         let n = self.space.valence();
         let (valence, local) = self.net(word).local(n);
         let rows: Vec<IntegerRow> = loop_scheme::second_differences(valence);
-        rows.iter().map(|row| row.apply::<A::S, A::V>(&local)).collect()
+        rows.iter()
+            .map(|row| row.apply::<A::S, A::V>(&local))
+            .collect()
     }
 
     /// The factor times a functional.

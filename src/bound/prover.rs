@@ -6,6 +6,7 @@ use num_bigint::BigInt;
 use num_traits::Zero;
 
 use super::cell::{self, By};
+use super::constant::Lemma;
 use super::functional::{ExactFunctional, FloatFunctional, Integer};
 use super::nets::{Against, Exact, Floats, Nets, Space, bits_needed};
 use super::quartic;
@@ -33,6 +34,13 @@ pub struct Candidate {
     pub scaled_net: Vec<i64>,
     pub(super) net: Vec<f64>,
     columns: Vec<Vec<f64>>,
+}
+
+impl Candidate {
+    /// The dual net.
+    pub fn net_rationals(&self) -> Vec<Rational> {
+        self.basis.net(&self.scaled_net)
+    }
 }
 
 /// One part, the basis its multipliers are in, and why the bound holds.
@@ -108,6 +116,7 @@ pub struct Prover {
     candidates: Vec<Candidate>,
     known: HashMap<Vec<usize>, usize>,
     float_targets: HashMap<(Word, Target), std::rc::Rc<Vec<FloatFunctional>>>,
+    pub(super) main_lemma: Option<Lemma>,
 }
 
 impl Prover {
@@ -126,6 +135,7 @@ impl Prover {
             candidates: Vec::new(),
             known: HashMap::new(),
             float_targets: HashMap::new(),
+            main_lemma: None,
         }
     }
 
@@ -151,7 +161,11 @@ impl Prover {
     }
 
     /// The best basis for a float functional, and its value; starts from a known candidate.
-    pub(super) fn propose(&mut self, t: &FloatFunctional, hint: Option<usize>) -> Option<(usize, f64)> {
+    pub(super) fn propose(
+        &mut self,
+        t: &FloatFunctional,
+        hint: Option<usize>,
+    ) -> Option<(usize, f64)> {
         let from = match hint {
             Some(index) => &self.candidates[index].basis,
             None => self.rows.start(),
@@ -162,8 +176,12 @@ impl Prover {
             Some(&known) if self.candidates[known].scaled_net == scaled_net => known,
             _ => {
                 let determinant = basis.determinant() as f64;
-                let float = |column: &[i64]| column.iter().map(|&a| a as f64 / determinant).collect();
-                let columns = basis.row_columns().map(|(_, column)| float(column)).collect();
+                let float =
+                    |column: &[i64]| column.iter().map(|&a| a as f64 / determinant).collect();
+                let columns = basis
+                    .row_columns()
+                    .map(|(_, column)| float(column))
+                    .collect();
                 let net = float(&scaled_net);
                 self.candidates.push(Candidate {
                     scaled_net,
@@ -172,7 +190,8 @@ impl Prover {
                     basis,
                 });
                 let index = self.candidates.len() - 1;
-                self.known.insert(self.candidates[index].basis.rows(), index);
+                self.known
+                    .insert(self.candidates[index].basis.rows(), index);
                 index
             }
         };
@@ -185,7 +204,11 @@ impl Prover {
         cell::float_weight(t, &self.candidates[basis].columns)
     }
 
-    pub(super) fn float_target(&mut self, word: Word, target: Target) -> std::rc::Rc<Vec<FloatFunctional>> {
+    pub(super) fn float_target(
+        &mut self,
+        word: Word,
+        target: Target,
+    ) -> std::rc::Rc<Vec<FloatFunctional>> {
         if let Some(known) = self.float_targets.get(&(word, target)) {
             return known.clone();
         }
@@ -461,16 +484,32 @@ impl Prover {
         }
         let word = Word::zeros(tail.level() + tail.depth);
         let exact = if self.fits_times(word, tail.bits(self.valence())) {
-            tail.holds(&mut self.words, &self.weight, &self.candidates, &proof, bound)
+            tail.holds(
+                &mut self.words,
+                &self.weight,
+                &self.candidates,
+                &proof,
+                bound,
+            )
         } else {
             tail.holds(&mut self.big, &self.weight, &self.candidates, &proof, bound)
         };
-        if exact { Ok(proof) } else { Err(Failure::TooFine) }
+        if exact {
+            Ok(proof)
+        } else {
+            Err(Failure::TooFine)
+        }
     }
 
     /// The exact weight of one functional in a candidate's basis, in the smallest arithmetic that
     /// holds it.
-    pub(super) fn weight_of<F, G>(&mut self, word: Word, basis: usize, small: F, large: G) -> Option<Value>
+    pub(super) fn weight_of<F, G>(
+        &mut self,
+        word: Word,
+        basis: usize,
+        small: F,
+        large: G,
+    ) -> Option<Value>
     where
         F: Fn(&mut Nets<Exact<i128>>) -> ExactFunctional<i128>,
         G: Fn(&mut Nets<Exact<BigInt>>) -> ExactFunctional<BigInt>,
@@ -621,7 +660,10 @@ impl Tail {
     ) -> bool {
         let (bases, differences) = self.functionals(nets);
         let short = |c: &Rational| -> Option<ShortRational> {
-            let (p, q) = (i64::try_from(c.numer()).ok()?, i64::try_from(c.denom()).ok()?);
+            let (p, q) = (
+                i64::try_from(c.numer()).ok()?,
+                i64::try_from(c.denom()).ok()?,
+            );
             Some(ShortRational::new_raw(p, q))
         };
         // D = p(b) / q: p times a difference is q times D times it.

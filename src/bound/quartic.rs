@@ -11,7 +11,8 @@ const GRID: usize = 8;
 /// The values of the 15 Bernstein polynomials at the points of a grid.
 static SAMPLES: LazyLock<Vec<([f64; 2], [f64; 15])>> = LazyLock::new(|| {
     let step = 1.0 / GRID as f64;
-    let points = (0..=GRID).flat_map(|i| (0..=GRID - i).map(move |j| [i, j].map(|k| k as f64 * step)));
+    let points =
+        (0..=GRID).flat_map(|i| (0..=GRID - i).map(move |j| [i, j].map(|k| k as f64 * step)));
     points.map(|point| (point, basis(point))).collect()
 });
 
@@ -82,7 +83,11 @@ pub fn maximise(c: &[f64; 15]) -> (f64, [f64; 2]) {
             let slope = |v: f64, w: f64| patch.evaluate([&v, &w]).1;
             let [[a0, b0], [a1, b1]] = [slope(at[0] - h, at[1]), slope(at[0] + h, at[1])];
             let [[_, d0], [_, d1]] = [slope(at[0], at[1] - h), slope(at[0], at[1] + h)];
-            let (a, b, d) = ((a1 - a0) / (2.0 * h), (b1 - b0) / (2.0 * h), (d1 - d0) / (2.0 * h));
+            let (a, b, d) = (
+                (a1 - a0) / (2.0 * h),
+                (b1 - b0) / (2.0 * h),
+                (d1 - d0) / (2.0 * h),
+            );
             let determinant = a * d - b * b;
             if determinant <= 0.0 || a >= 0.0 {
                 break;
@@ -129,7 +134,13 @@ pub fn maximise_edge(f: &[f64; 5]) -> (f64, f64) {
         }
     }
     let s = 0.5 * (low + high);
-    let s = if s < 1e-12 { 0.0 } else if s > 1.0 - 1e-12 { 1.0 } else { s };
+    let s = if s < 1e-12 {
+        0.0
+    } else if s > 1.0 - 1e-12 {
+        1.0
+    } else {
+        s
+    };
     (at(s), s)
 }
 

@@ -160,7 +160,10 @@ impl RingWeight {
         } else if rough.sup() < 0.0 {
             return Some(-1);
         }
-        let big: Vec<Rational> = p.iter().map(|c| Rational::from_integer(c.to_big())).collect();
+        let big: Vec<Rational> = p
+            .iter()
+            .map(|c| Rational::from_integer(c.to_big()))
+            .collect();
         sign_of(&self.fine_range(&big))
     }
 
@@ -172,12 +175,17 @@ impl RingWeight {
             let high = if sup.is_negative() { b_inf } else { b_sup };
             (inf * low + c, sup * high + c)
         };
-        p.iter().rev().fold((Rational::zero(), Rational::zero()), step)
+        p.iter()
+            .rev()
+            .fold((Rational::zero(), Rational::zero()), step)
     }
 
     /// A rational at least |p(b)|.
     pub fn magnitude<T: Integer>(&self, p: &[T]) -> Rational {
-        let big: Vec<Rational> = p.iter().map(|c| Rational::from_integer(c.to_big())).collect();
+        let big: Vec<Rational> = p
+            .iter()
+            .map(|c| Rational::from_integer(c.to_big()))
+            .collect();
         let (inf, sup) = self.fine_range(&big);
         inf.abs().max(sup.abs())
     }
@@ -224,9 +232,10 @@ impl RingWeight {
 
     /// The value as an exact number.
     pub fn evaluate(&self, value: &Value) -> Cyclotomic {
-        let horner = |sum: Cyclotomic, c: &Rational| sum * &self.exact + Cyclotomic::from_rational(c);
-        let numerator = (value.coefficients().iter().rev())
-            .fold(Cyclotomic::from_integer(0), horner);
+        let horner =
+            |sum: Cyclotomic, c: &Rational| sum * &self.exact + Cyclotomic::from_rational(c);
+        let numerator =
+            (value.coefficients().iter().rev()).fold(Cyclotomic::from_integer(0), horner);
         let q = Cyclotomic::from_integer(8 * i64::from(self.n)) * &self.exact
             + Cyclotomic::from_integer(3);
         numerator / q

@@ -11,6 +11,7 @@ use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 
 use exit::Outcome;
 
+mod bound;
 pub mod exit;
 mod info;
 mod measure;
@@ -41,6 +42,8 @@ enum Command {
     Refine(refine::Refine),
     /// Enclose the distance between the subdivision surface and its control or limit mesh
     Measure(measure::Measure),
+    /// Enclose bound constants, distance over the largest second difference, with certificates
+    Bound(bound::Bound),
 }
 
 /// The scheme and its variants.
@@ -200,5 +203,6 @@ pub fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
         Command::Info(info) => info.run(),
         Command::Refine(refine) => refine.run(),
         Command::Measure(measure) => measure.run(),
+        Command::Bound(bound) => bound.run(),
     }
 }

@@ -25,13 +25,19 @@ impl Progress {
 
     /// Tells how many faces of how many are done.
     pub fn faces(&self, done: u32, count: u32) {
+        self.units(done, count, "faces");
+    }
+
+    /// The same for things of another name.
+    pub fn units(&self, done: u32, count: u32, name: &str) {
         if !self.terminal || self.start.elapsed() < Duration::from_secs(1) {
             return;
         }
         if let Ok(mut bar) = self.bar.lock() {
             let bar = bar.get_or_insert_with(|| {
-                let style =
-                    ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} faces {eta}");
+                let style = ProgressStyle::with_template(&format!(
+                    "{{bar:40}} {{human_pos}}/{{human_len}} {name} {{eta}}"
+                ));
                 ProgressBar::new(u64::from(count))
                     .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
             });

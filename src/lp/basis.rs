@@ -89,10 +89,15 @@ impl Basis {
                 column.clone()
             } else {
                 let entry = |(a, b): (&i64, &i64)| {
-                    let wide = i128::from(pivot) * i128::from(*a) - i128::from(g[j]) * i128::from(*b);
+                    let wide =
+                        i128::from(pivot) * i128::from(*a) - i128::from(g[j]) * i128::from(*b);
                     i64::try_from(wide / i128::from(determinant)).ok()
                 };
-                column.iter().zip(leaving).map(entry).collect::<Option<_>>()?
+                column
+                    .iter()
+                    .zip(leaving)
+                    .map(entry)
+                    .collect::<Option<_>>()?
             });
         }
         self.columns = columns;
@@ -101,8 +106,8 @@ impl Basis {
         Some(())
     }
 
-    /// The net y with α_l(y) = sign_l on the basis' rows and 0 in the pinned coordinates'
-    /// complement, times the determinant.
+    /// The net y with `α_l(y) = sign_l` for the rows of the basis and `y_j = 0` for its pinned
+    /// coordinates, times the determinant.
     pub(super) fn scaled_net(&self, signs: &[i64]) -> Vec<i64> {
         let mut net = vec![0; self.columns.len()];
         for (column, sign) in self.columns.iter().zip(signs).filter(|(_, s)| **s != 0) {
@@ -113,8 +118,8 @@ impl Basis {
         net
     }
 
-    /// A net given by [`Basis::scaled_net`].
-    pub(super) fn net(&self, scaled: &[i64]) -> Vec<Rational> {
+    /// A net in integers over the determinant.
+    pub fn net(&self, scaled: &[i64]) -> Vec<Rational> {
         let over = |a: &i64| {
             if a.is_zero() {
                 Rational::zero()

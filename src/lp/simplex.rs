@@ -99,13 +99,13 @@ pub(super) fn solve<S: Number>(rows: &Rows, t: &[S], from: &Basis) -> Option<Sol
                 continue;
             }
             let ratio = x[j].clone() * &S::from_integer(s[j]) / &S::from_integer(rate);
-            let better = leaving.as_ref().is_none_or(|(known, least)| {
-                match ratio.order(least) {
+            let better = leaving
+                .as_ref()
+                .is_none_or(|(known, least)| match ratio.order(least) {
                     Ordering::Less => true,
                     Ordering::Equal => basis.slots[j].row() < basis.slots[*known].row(),
                     Ordering::Greater => false,
-                }
-            });
+                });
             if better {
                 leaving = Some((j, ratio));
             }

@@ -1,4 +1,5 @@
 //! What people and programs read: text, JSON, per-face files.
 
+pub mod constants;
 pub mod faces;
 pub mod measurement;

@@ -29,7 +29,7 @@ mod ply_writer;
 mod scan;
 
 pub use atomic::remove_unfinished_files;
-use atomic::write_atomically;
+pub(crate) use atomic::write_atomically;
 pub use error::MeshError;
 pub use ply_writer::PlyWriter;
 

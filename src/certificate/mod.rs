@@ -1,0 +1,202 @@
+//! Certificates: claims and the choices that prove them, as data; `proofs/FORMAT.md` is normative.
+//!
+//! A certificate holds no mathematics: masks, nets, functionals and multipliers are rebuilt by the
+//! checker from the claim. This module knows no algorithm; [`crate::bound`] fills it.
+
+use std::io::{self, Write};
+
+use serde::{Deserialize, Serialize};
+
+/// A certificate file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Certificate {
+    /// Always "subcert".
+    pub format: String,
+    /// The version of the format.
+    pub version: u32,
+    /// What is proved.
+    pub claim: Claim,
+    /// An enclosure of cos(π/n), where the ring weight is irrational.
+    pub cosine: Option<[String; 2]>,
+    /// Sets of second differences, numbered from 1.
+    pub bases: Vec<Vec<usize>>,
+    /// The steps.
+    pub steps: Vec<Step>,
+}
+
+/// What is proved.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Claim {
+    /// "loop".
+    pub scheme: String,
+    /// "original" or "warren".
+    pub weights: String,
+    /// The valence n.
+    pub valence: u32,
+    /// The level k.
+    pub level: usize,
+    /// The constant: "control", "limit", "rate", "mesh-rate", "coefficient".
+    pub kind: String,
+    /// "second".
+    pub norm: String,
+    /// Which coefficient, for that kind.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub at: Option<CoefficientAt>,
+    /// Lower bound.
+    pub lo: String,
+    /// Upper bound.
+    pub hi: String,
+    /// The constant itself.
+    pub exact: Option<Number>,
+}
+
+/// A Bernstein coefficient over a word.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CoefficientAt {
+    /// The word.
+    pub word: String,
+    /// The index, from 0.
+    pub index: usize,
+}
+
+/// A rational, or the coefficients of a polynomial in β over q = 3 + 8 β.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Number {
+    /// "p/q".
+    Rational(String),
+    /// `[c_0, c_1, ..]`.
+    OverQ(Vec<String>),
+}
+
+/// A step.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "rule", rename_all = "lowercase", deny_unknown_fields)]
+pub enum Step {
+    /// The lower bound: a net and where it attains it.
+    Attained {
+        /// n + 6 rationals.
+        net: Vec<String>,
+        /// Where.
+        at: Option<At>,
+    },
+    /// A bound of ‖S - F_0‖ over `0^depth`.
+    Lemma {
+        /// The depth J.
+        depth: usize,
+        /// The steps K.
+        steps: usize,
+        /// 0 or 1.
+        order: u8,
+        /// The bound.
+        bound: Number,
+        /// Order 1: the basis at the corner.
+        corner: Option<usize>,
+        /// The rings.
+        cells: Vec<Cell>,
+        /// By corner and sign, the bases of l = 1, 2, ..
+        tail: Vec<[Vec<usize>; 2]>,
+    },
+    /// The conclusion for distances.
+    Cover {
+        /// The steps K.
+        steps: usize,
+        /// Index of the lemma among the steps.
+        lemma: usize,
+        /// The rings.
+        cells: Vec<Cell>,
+        /// As in a lemma.
+        tail: Vec<[Vec<usize>; 2]>,
+    },
+    /// The conclusion for C_0 where a lemma says all.
+    Apply {
+        /// Index of the lemma among the steps.
+        lemma: usize,
+    },
+    /// The conclusion for rates.
+    Differences {
+        /// Words with the bases of their differences.
+        words: Vec<(String, Vec<usize>)>,
+    },
+    /// The conclusion for coefficients.
+    Weight {
+        /// The basis.
+        basis: usize,
+    },
+}
+
+/// Where a net attains a bound.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged, deny_unknown_fields)]
+pub enum At {
+    /// A point of a part.
+    Point {
+        /// The part.
+        word: String,
+        /// First parameter.
+        v: String,
+        /// Second parameter.
+        w: String,
+    },
+    /// A second difference of a part's net, from 1.
+    Difference {
+        /// The part.
+        word: String,
+        /// The difference.
+        difference: usize,
+    },
+}
+
+/// A part, its bases, the reason.
+pub type Cell = (String, Bases, By);
+
+/// One basis for the 15 coefficients, or one for each.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Bases {
+    /// One.
+    One(usize),
+    /// Fifteen.
+    Each(Vec<usize>),
+}
+
+/// Why a quartic is below a bound.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum By {
+    /// `"hull"`.
+    Hull(String),
+    /// `["edge", e, s]`.
+    Edge(String, usize, String),
+    /// `["concave", v, w]`.
+    Concave(String, String, String),
+}
+
+impl Certificate {
+    /// Writes the file, one step or basis on a line, so that files compare line by line.
+    ///
+    /// # Errors
+    /// If writing fails.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        let format = serde_json::to_string(&self.format)?;
+        writeln!(out, "{{\"format\":{format},\"version\":{},", self.version)?;
+        writeln!(out, "\"claim\":{},", serde_json::to_string(&self.claim)?)?;
+        writeln!(out, "\"cosine\":{},", serde_json::to_string(&self.cosine)?)?;
+        write_list(out, "bases", &self.bases)?;
+        writeln!(out, ",")?;
+        write_list(out, "steps", &self.steps)?;
+        writeln!(out, "}}")
+    }
+}
+
+fn write_list<T: Serialize>(out: &mut dyn Write, name: &str, list: &[T]) -> io::Result<()> {
+    writeln!(out, "\"{name}\":[")?;
+    for (i, item) in list.iter().enumerate() {
+        let comma = if i + 1 < list.len() { "," } else { "" };
+        writeln!(out, "{}{comma}", serde_json::to_string(item)?)?;
+    }
+    write!(out, "]")
+}

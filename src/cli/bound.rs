@@ -1,0 +1,189 @@
+//! `subcert bound`.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::time::Instant;
+
+use anyhow::{Context, bail};
+use clap::ValueEnum;
+use subcert::bound::{Against, Constant, Row, tabulate};
+use subcert::report::constants;
+use subcert::scheme::{LoopWeights, Scheme};
+
+use super::SchemeArguments;
+use super::exit::Outcome;
+use super::progress::Progress;
+
+/// Encloses bound constants.
+#[derive(clap::Args, Debug)]
+#[command(
+    after_help = "Examples:\n  subcert bound limit --scheme loop --valence 3..12 --level 0\n  \
+        subcert bound control --scheme loop --weights warren --valence 7 --level 0..3 --certificates proofs-of-7\n\n\
+        Constants are dimensionless: distance over the largest mixed second difference M of the face's\n\
+        n + 6 control points (the second-order norm of Huang & Wang 2008). C_k: surface to level-k\n\
+        control mesh; B_k: to the level-k limit mesh; r_k: M of level k over M of level 0. Each row is\n\
+        lo <= constant <= hi, proved; `exact` is the constant itself where both sides meet,\n\
+        ck = 2 cos(2 pi k/n)."
+)]
+pub struct Bound {
+    /// Which constant
+    #[arg(value_enum)]
+    constant: ConstantName,
+    #[command(flatten)]
+    scheme: SchemeArguments,
+    /// Valence of the extraordinary vertex, or a range: 7 or 3..12 (both ends included)
+    #[arg(long, value_name = "A..B")]
+    valence: Range,
+    /// Level, or a range of levels: 0 or 1..3 [default: 0, for rates 1]
+    #[arg(long, value_name = "K")]
+    level: Option<Range>,
+    /// Relative gap (hi - lo) / hi to reach
+    #[arg(long, value_name = "REL", default_value_t = 1e-6, value_parser = gap)]
+    gap: f64,
+    /// Write a certificate for each row into this folder, for subcert-check
+    #[arg(long, value_name = "DIR")]
+    certificates: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum ConstantName {
+    /// r_k: how fast M of the extraordinary net falls in k steps
+    Rate,
+    /// The same over all 4^k parts of the face
+    MeshRate,
+    /// C_k: surface to the level-k control mesh
+    Control,
+    /// B_k: surface to the level-k limit mesh
+    Limit,
+}
+
+/// `A..B`, both ends included, or one number.
+#[derive(Clone, Copy, Debug)]
+struct Range {
+    first: u32,
+    last: u32,
+}
+
+impl FromStr for Range {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |part: &str| {
+            part.parse::<u32>()
+                .map_err(|_| format!("{text:?} is no number or range: write 7, or 3..12"))
+        };
+        let (first, last) = match text.split_once("..") {
+            None => (number(text)?, number(text)?),
+            Some((first, last)) => (number(first)?, number(last.trim_start_matches('='))?),
+        };
+        if first > last {
+            return Err(format!("{text:?} is empty: write the smaller number first"));
+        }
+        Ok(Range { first, last })
+    }
+}
+
+/// A gap that the proofs' own precision allows.
+fn gap(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(gap) if (1e-9..1.0).contains(&gap) => Ok(gap),
+        _ => Err("a gap is a number from 1e-9 to below 1, such as 1e-6".into()),
+    }
+}
+
+/// Largest valence and level: beyond, one constant takes minutes.
+const LARGEST_VALENCE: u32 = 400;
+const HIGHEST_LEVEL: u32 = 6;
+const HIGHEST_RATE_LEVEL: u32 = 16;
+
+impl Bound {
+    pub fn run(&self) -> anyhow::Result<Outcome> {
+        let start = Instant::now();
+        let (scheme, _) = self.scheme.resolve()?;
+        let Scheme::Loop(weights) = scheme else {
+            bail!(
+                "bound constants are known for --scheme loop only, not for {}",
+                scheme.name()
+            );
+        };
+        let constants = self.constants()?;
+        let valences: Vec<u32> = (self.valence.first..=self.valence.last).collect();
+        if self.valence.first < 3 || self.valence.last > LARGEST_VALENCE {
+            bail!(
+                "--valence must lie in 3..{LARGEST_VALENCE}: an interior vertex has at least three faces"
+            );
+        }
+        let progress = Progress::new();
+        let rows = tabulate(
+            weights,
+            &valences,
+            &constants,
+            self.gap,
+            self.certificates.is_some(),
+            &|done, count| progress.units(done, count, "valences"),
+        );
+        progress.finish();
+        if let Some(folder) = &self.certificates {
+            constants::write_certificates(folder, &rows).with_context(|| {
+                format!(
+                    "certificates can't be written to {}: name a folder that can be written",
+                    folder.display()
+                )
+            })?;
+        }
+        self.print(weights, &rows, start.elapsed().as_secs_f64())?;
+        let met = |row: &Row| row.proof.as_ref().is_some_and(|p| p.gap() <= self.gap);
+        if rows.iter().all(met) {
+            return Ok(Outcome::Done);
+        }
+        eprintln!(
+            "subcert: undecided: some rows miss the gap asked for, but what they say holds; ask for a larger --gap"
+        );
+        Ok(Outcome::Undecided)
+    }
+
+    fn constants(&self) -> anyhow::Result<Vec<Constant>> {
+        let rate = matches!(self.constant, ConstantName::Rate | ConstantName::MeshRate);
+        let one = Range {
+            first: u32::from(rate),
+            last: u32::from(rate),
+        };
+        let level = self.level.unwrap_or(one);
+        if rate && level.first == 0 {
+            bail!("--level of a rate is at least 1: r_0 = 1 by definition");
+        }
+        let highest = match self.constant {
+            ConstantName::Rate => HIGHEST_RATE_LEVEL,
+            _ => HIGHEST_LEVEL,
+        };
+        if level.last > highest {
+            bail!(
+                "--level {} is beyond {highest}: ask for a lower level",
+                level.last
+            );
+        }
+        let constant = |k: u32| match self.constant {
+            ConstantName::Rate => Constant::Rate(k as usize),
+            ConstantName::MeshRate => Constant::MeshRate(k as usize),
+            ConstantName::Control => Constant::Distance(Against::Control, k as usize),
+            ConstantName::Limit => Constant::Distance(Against::Limit, k as usize),
+        };
+        Ok((level.first..=level.last).map(constant).collect())
+    }
+
+    fn print(&self, weights: LoopWeights, rows: &[Row], seconds: f64) -> anyhow::Result<()> {
+        let mut out = std::io::stdout().lock();
+        if self.json {
+            serde_json::to_writer_pretty(&mut out, &constants::json(weights, rows, seconds))?;
+            writeln!(out)?;
+        } else {
+            write!(out, "{}", constants::text(weights, rows, seconds))?;
+        }
+        out.flush()?;
+        Ok(())
+    }
+}

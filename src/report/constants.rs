@@ -1,0 +1,106 @@
+//! Tables of bound constants as text, JSON and certificates.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json as object};
+
+use crate::bound::Row;
+use crate::mesh::io::write_atomically;
+use crate::scheme::LoopWeights;
+
+/// The longest closed form that a text table shows whole.
+const WIDEST: usize = 60;
+
+/// An aligned table.
+pub fn text(weights: LoopWeights, rows: &[Row], seconds: f64) -> String {
+    let mut out = String::new();
+    let name = rows.first().map_or("", |row| row.constant.name());
+    let _ = writeln!(
+        out,
+        "loop, {weights} weights, {name} constants, second-order norm (dimensionless)"
+    );
+    let _ = writeln!(
+        out,
+        "{:>3} {:>5} {:>22} {:>22} {:>8} {:>8}  exact",
+        "n", "level", "lo", "hi", "gap", "seconds"
+    );
+    for row in rows {
+        let _ = write!(out, "{:>3} {:>5} ", row.n, row.constant.level());
+        let _ = match &row.proof {
+            Some(proof) => {
+                let exact = match &row.exact {
+                    Some(text) if text.chars().count() > WIDEST => "in Q(2 cos 2π/n): see --json",
+                    Some(text) => text,
+                    None => "-",
+                };
+                writeln!(
+                    out,
+                    "{:>22} {:>22} {:>8.1e} {:>8.3}  {exact}",
+                    format!("{:?}", proof.lo),
+                    format!("{:?}", proof.hi),
+                    proof.gap(),
+                    row.seconds
+                )
+            }
+            None => writeln!(out, "{:>22}", "no proof found"),
+        };
+    }
+    let _ = writeln!(out, "{} rows in {seconds:.2} s", rows.len());
+    out
+}
+
+/// `{"rows": [{"n", "level", "lo", "hi", "exact", "seconds"}], ..}`; lo and hi read back exactly.
+pub fn json(weights: LoopWeights, rows: &[Row], seconds: f64) -> Value {
+    let row = |row: &Row| {
+        object!({
+            "n": row.n,
+            "level": row.constant.level(),
+            "lo": row.proof.as_ref().map(|p| p.lo),
+            "hi": row.proof.as_ref().map(|p| p.hi),
+            "exact": row.exact,
+            "seconds": row.seconds,
+        })
+    };
+    object!({
+        "scheme": "loop",
+        "weights": weights.to_string(),
+        "constant": rows.first().map(|row| row.constant.name()),
+        "norm": "second",
+        "rows": rows.iter().map(row).collect::<Vec<_>>(),
+        "seconds": seconds,
+    })
+}
+
+/// The name of a row's certificate file.
+pub fn certificate_name(row: &Row, weights: &str) -> String {
+    let extra = match row.constant {
+        crate::bound::Constant::Coefficient(word, index) => format!("-at-{word}-{index}"),
+        _ => String::new(),
+    };
+    format!(
+        "loop-{weights}-{}-n{:02}-k{}{extra}.json",
+        row.constant.name(),
+        row.n,
+        row.constant.level()
+    )
+}
+
+/// Writes the certificates of all rows that have one; the files' paths.
+///
+/// # Errors
+/// If the folder can't be made or a file can't be written.
+pub fn write_certificates(folder: &Path, rows: &[Row]) -> io::Result<Vec<PathBuf>> {
+    fs::create_dir_all(folder)?;
+    let mut written = Vec::new();
+    for row in rows {
+        if let Some(certificate) = &row.certificate {
+            let path = folder.join(certificate_name(row, &certificate.claim.weights));
+            write_atomically(&path, |out| certificate.write(out))?;
+            written.push(path);
+        }
+    }
+    Ok(written)
+}
