@@ -23,6 +23,9 @@ pub enum By {
     /// The coefficients off one edge do; on the edge the quartic is concave and its tangent at a
     /// parameter does at both ends. Edge e is opposite to corner e.
     Edge(usize, Rational),
+    /// For words shorter than k: the second differences of the word's net, d levels above k, are at most
+    /// the bound over [`regular_factor`]. No quartic is involved.
+    Regular,
     /// The quartic is concave, and its tangent plane at a point does at the three corners.
     Concave(Rational, Rational),
 }
@@ -75,12 +78,27 @@ pub fn float_weight(t: &FloatFunctional, columns: &[Vec<f64>]) -> f64 {
     columns.iter().map(|column| t.at(column).abs()).sum()
 }
 
+/// `C_d = 4^-d / 2` and `B_d = 4^-d / 3` of regular nets: |S - F_d| <= factor M.
+///
+/// Each second difference of a refined regular net is a mean of second differences over 4, so M falls
+/// by 4^-1 a level, also over all parts. A step moves vertex points by at most 3/8 M and edge points by
+/// M/8 off F_0, hence |F_1 - F_0| <= 3/8 M and |S - F_0| <= 3/8 (1 + 1/4 + ..) M = M/2. B_0 = 1/3 is
+/// Theorem 2 of HW.
+pub fn regular_factor(against: super::nets::Against, d: usize) -> Rational {
+    let denominator = match against {
+        super::nets::Against::Control => 2,
+        super::nets::Against::Limit => 3,
+    };
+    Rational::new(BigInt::from(1), BigInt::from(denominator) << (2 * d))
+}
+
 /// Whether the quartic with the given coefficients is at most `bound` over its triangle, for the
 /// given reason; exact.
 pub fn holds(weight: &RingWeight, c: &[Value; 15], by: &By, bound: &Value) -> bool {
     let below = |value: &Value| weight.at_most(value, bound);
     match by {
         By::Hull => c.iter().all(below),
+        By::Regular => false,
         By::Edge(edge, at) => {
             let on = edge_indices(*edge);
             if !(0..15).all(|i| on.contains(&i) || below(&c[i])) {

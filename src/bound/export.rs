@@ -59,7 +59,8 @@ impl Bases<'_> {
                 ref each => certificate::Bases::Each(each.iter().map(|&b| self.cite(b)).collect()),
             };
             let by = match &cell.by {
-                By::Hull => certificate::By::Hull("hull".into()),
+                By::Hull => certificate::By::Plain("hull".into()),
+                By::Regular => certificate::By::Plain("regular".into()),
                 By::Edge(e, s) => certificate::By::Edge("edge".into(), *e, s.to_string()),
                 By::Concave(v, w) => {
                     certificate::By::Concave("concave".into(), v.to_string(), w.to_string())

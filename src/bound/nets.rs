@@ -314,6 +314,13 @@ impl<A: Space> Nets<A> {
             .collect()
     }
 
+    /// One of the second differences of a word's net.
+    pub fn difference(&mut self, word: Word, l: usize) -> A::V {
+        let n = self.space.valence();
+        let (valence, local) = self.net(word).local(n);
+        loop_scheme::second_differences(valence)[l].apply::<A::S, A::V>(&local)
+    }
+
     /// The factor times a functional.
     pub fn space_scale(&self, functional: &A::V) -> A::V {
         self.space.scale(functional)

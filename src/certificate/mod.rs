@@ -167,8 +167,8 @@ pub enum Bases {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum By {
-    /// `"hull"`.
-    Hull(String),
+    /// `"hull"` or `"regular"`.
+    Plain(String),
     /// `["edge", e, s]`.
     Edge(String, usize, String),
     /// `["concave", v, w]`.
