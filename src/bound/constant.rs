@@ -37,6 +37,17 @@ pub enum At {
     Difference(Word, usize),
     /// The coefficient that the claim names.
     Claimed,
+    /// A point of a tile, a net for each of its coefficients.
+    Tile {
+        /// The tile.
+        word: Word,
+        /// The candidates whose nets they are.
+        nets: Vec<usize>,
+        /// First parameter.
+        v: Rational,
+        /// Second parameter.
+        w: Rational,
+    },
 }
 
 /// A bound of ‖S - F_0‖ near the extraordinary corner, on which tails rest.
@@ -68,6 +79,15 @@ pub enum Conclusion {
         /// Steps K.
         steps: usize,
         /// The parts.
+        cells: Vec<CellProof>,
+        /// The tail.
+        tail: TailProof,
+    },
+    /// For HW's β: whole tiles, the best bases of their coefficients, and a tail.
+    Tiles {
+        /// Steps K.
+        steps: usize,
+        /// The tiles.
         cells: Vec<CellProof>,
         /// The tail.
         tail: TailProof,
@@ -130,7 +150,7 @@ impl Prover {
             Constant::Rate(k) => self.rate(constant, vec![Word::zeros(k)]),
             Constant::MeshRate(k) => self.rate(constant, words_of(k)),
             Constant::Coefficient(word, index) => self.coefficient(word, index),
-            Constant::Beta => None,
+            Constant::Beta => self.beta(gap),
         }
     }
 
@@ -410,7 +430,7 @@ impl Prover {
     }
 
     /// |value|, of a value whose sign is known.
-    fn absolute(&self, value: Value) -> Value {
+    pub(super) fn absolute(&self, value: Value) -> Value {
         if self.weight.at_most(&value, &Value::zero()) {
             Value::zero() - &value
         } else {

@@ -37,6 +37,7 @@
 //! assert_eq!(prover.closed_form(&proof).unwrap().to_string(), "1/3");
 //! ```
 
+mod beta;
 pub mod cell;
 pub mod constant;
 mod export;

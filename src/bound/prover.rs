@@ -409,7 +409,11 @@ impl Prover {
         }
         for basis in recent {
             let below = |t: &FloatFunctional| self.float_weight(t, basis) <= limit;
-            if t.iter().all(below) && self.accept(word, target, &[basis], By::Hull, bound, cells) {
+            let c = || std::array::from_fn(|i| self.float_weight(&t[i], basis));
+            if t.iter().all(below) && {
+                let c = c();
+                self.close_by(word, target, &c, &[basis], bound, cells)
+            } {
                 return Ok((true, hint));
             }
         }
@@ -471,63 +475,25 @@ impl Prover {
         bound: &Bound,
         cells: &mut Vec<CellProof>,
     ) -> bool {
-        let limit = bound.float * (1.0 + SLACK);
-        if c.iter().all(|c| *c <= limit) {
-            return self.accept(word, target, bases, By::Hull, bound, cells);
-        }
-        if matches!(target, Target::Linear(_)) || quartic::sample(c).0 > limit {
+        let reasons = reasons(c, bound.float);
+        let linear = matches!(target, Target::Linear(_));
+        let reasons: Vec<By> = (reasons.into_iter())
+            .filter(|by| !linear || *by == By::Hull)
+            .collect();
+        if reasons.is_empty() {
             return false;
         }
-        let (value, at) = quartic::maximise(c);
-        if value > limit {
-            return false;
-        }
-        for edge in 0..3 {
-            let on = cell::edge_indices(edge);
-            if !(0..15).all(|i| on.contains(&i) || c[i] <= limit) {
-                continue;
-            }
-            let f = on.map(|i| c[i]);
-            if !quartic::is_concave_edge(&f) {
-                continue;
-            }
-            let (_, s) = quartic::maximise_edge(&f);
-            for at in rationals_near(s) {
-                if self.accept(word, target, bases, By::Edge(edge, at), bound, cells) {
-                    return true;
-                }
-            }
-        }
-        if !quartic::is_concave(c) {
-            return false;
-        }
-        let [v, w] = at;
-        for (v, w) in rationals_near(v).into_iter().zip(rationals_near(w)) {
-            if self.accept(word, target, bases, By::Concave(v, w), bound, cells) {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// Checks a proposal exactly and keeps it if it holds.
-    fn accept(
-        &mut self,
-        word: Word,
-        target: Target,
-        bases: &[usize],
-        by: By,
-        bound: &Bound,
-        cells: &mut Vec<CellProof>,
-    ) -> bool {
         let Some(weights) = self.exact_weights(word, target, bases) else {
             return false;
         };
-        let holds = cell::holds(&self.weight, &weights, &by, &bound.value);
-        if holds {
-            let bases = bases.to_vec();
-            cells.push(CellProof { word, bases, by });
-        }
+        let by =
+            (reasons.into_iter()).find(|by| cell::holds(&self.weight, &weights, by, &bound.value));
+        let holds = by.is_some();
+        cells.extend(by.map(|by| CellProof {
+            word,
+            bases: bases.to_vec(),
+            by,
+        }));
         holds
     }
 
@@ -638,6 +604,36 @@ fn target_of<A: Space>(nets: &mut Nets<A>, word: Word, target: Target) -> [A::V;
         Target::Distance(against, k) => nets.target(word, against, k),
         Target::Linear(depth) => nets.linear_target(word, depth),
     }
+}
+
+/// The reasons why a quartic could be below a bound, judged in `f64`, the simplest first.
+pub(super) fn reasons(c: &[f64; 15], bound: f64) -> Vec<By> {
+    let limit = bound * (1.0 + SLACK);
+    if c.iter().all(|c| *c <= limit) {
+        return vec![By::Hull];
+    }
+    let mut reasons = Vec::new();
+    if quartic::sample(c).0 > limit {
+        return reasons;
+    }
+    let (value, [v, w]) = quartic::maximise(c);
+    if value > limit {
+        return reasons;
+    }
+    for edge in 0..3 {
+        let on = cell::edge_indices(edge);
+        let f = on.map(|i| c[i]);
+        let off_below = (0..15).all(|i| on.contains(&i) || c[i] <= limit);
+        if off_below && quartic::is_concave_edge(&f) {
+            let (_, s) = quartic::maximise_edge(&f);
+            reasons.extend(rationals_near(s).map(|s| By::Edge(edge, s)));
+        }
+    }
+    if quartic::is_concave(c) {
+        let points = rationals_near(v).into_iter().zip(rationals_near(w));
+        reasons.extend(points.map(|(v, w)| By::Concave(v, w)));
+    }
+    reasons
 }
 
 /// The value at the middle of the triangle.
