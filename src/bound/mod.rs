@@ -41,6 +41,7 @@ mod beta;
 pub mod cell;
 pub mod constant;
 mod export;
+pub mod face_rate;
 pub mod functional;
 pub mod nets;
 mod prover;
