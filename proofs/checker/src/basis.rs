@@ -1,8 +1,8 @@
 //! Bases of second differences, and the multipliers of a form in one.
 //!
-//! The elimination below is only a way to find multipliers: `weight` checks them at every point.
+//! The elimination is only a way to find multipliers: `weight` checks them at every point.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
@@ -11,10 +11,10 @@ use num_traits::{One, Signed, Zero};
 
 use crate::form::Form;
 use crate::polynomial::Polynomial;
-use crate::reject::{Outcome, Rule, require};
+use crate::reject::{Outcome, Rule, ensure};
 use crate::space::{Row, Space};
 
-/// `register[to] = own register[to] + Σ factor register[from]`, each row of polynomial coefficients.
+/// `register[to] = own register[to] + Σ factor register[from]`, a register being a polynomial.
 struct Instruction {
     to: usize,
     own: BigInt,
@@ -26,77 +26,64 @@ pub struct Basis {
     /// The indices of its differences, from 0.
     list: Vec<usize>,
     program: Vec<Instruction>,
-    /// The register that holds the multiplier of each difference.
+    /// The register where the program leaves the multiplier of each difference.
     place: Vec<usize>,
     /// What the multipliers are over.
     den: BigInt,
 }
 
-/// A pivot: the equation, the unknown, and the equation's entries when it was chosen.
-struct Pivot {
-    equation: usize,
-    unknown: usize,
-    entries: BTreeMap<usize, BigRational>,
+/// One linear equation for each point: the coefficients of the unknown multipliers.
+type Equation = BTreeMap<usize, BigRational>;
+
+/// The outcome of elimination in `Σ_l x_l rows_l = t`.
+struct Elimination {
+    /// Equation, unknown, and the equation when it was chosen to give that unknown.
+    pivots: Vec<(usize, usize, Equation)>,
+    /// (to, from, factor): equation[to] -= factor equation[from].
+    steps: Vec<(usize, usize, BigRational)>,
 }
 
-/// Eliminates in the equations `Σ_l x_l rows_l = t`, one for each point: sparsest equations first.
-/// Returns the pivots and the steps (to, from, factor) `equation[to] -= factor equation[from]`.
-fn eliminate(rows: &[&Row], size: usize) -> (Vec<Pivot>, Vec<(usize, usize, BigRational)>) {
-    let mut equations = vec![BTreeMap::new(); size];
-    let mut columns = vec![BTreeSet::new(); rows.len()];
+/// Eliminates, the shortest equations first, and in them the units that occur least.
+fn eliminate(rows: &[&Row], size: usize) -> Elimination {
+    let mut equations = vec![Equation::new(); size];
     for (l, row) in rows.iter().enumerate() {
         for &(i, c) in *row {
             equations[i].insert(l, BigRational::from_integer(c.into()));
-            columns[l].insert(i);
         }
     }
     let (mut pivots, mut steps) = (Vec::new(), Vec::new());
-    let mut active: BTreeSet<usize> = (0..size).collect();
-    loop {
-        active.retain(|&i| !equations[i].is_empty());
-        let Some(&equation) = active.iter().min_by_key(|&&i| equations[i].len()) else {
+    let shortest = |equations: &[Equation]| {
+        let lengths = equations.iter().map(Equation::len).enumerate();
+        lengths.filter(|&(_, length)| length > 0).min_by_key(|&(_, length)| length)
+    };
+    while let Some((from, _)) = shortest(&equations) {
+        let chosen = std::mem::take(&mut equations[from]);
+        let cost = |(l, c): &(&usize, &BigRational)| {
+            let uses = equations.iter().filter(|equation| equation.contains_key(l)).count();
+            (!c.is_integer() || !c.numer().magnitude().is_one(), uses)
+        };
+        let Some((&unknown, pivot)) = chosen.iter().min_by_key(cost) else {
             break;
         };
-        active.remove(&equation);
-        let entries = std::mem::take(&mut equations[equation]);
-        for l in entries.keys() {
-            columns[*l].remove(&equation);
-        }
-        let cheapest = entries.iter().min_by_key(|(l, c)| {
-            (
-                !c.is_integer() || !c.numer().magnitude().is_one(),
-                columns[**l].len(),
-            )
-        });
-        let Some((&unknown, pivot)) = cheapest else {
-            break;
-        };
-        for &to in &columns[unknown].clone() {
-            let factor = &equations[to][&unknown] / pivot;
-            for (&l, c) in &entries {
-                let entry = equations[to].entry(l).or_insert_with(BigRational::zero);
-                *entry -= &factor * c;
-                if entry.is_zero() {
-                    equations[to].remove(&l);
-                    columns[l].remove(&to);
-                } else {
-                    columns[l].insert(to);
-                }
+        for (to, equation) in equations.iter_mut().enumerate() {
+            let Some(entry) = equation.get(&unknown) else {
+                continue;
+            };
+            let factor = entry / pivot;
+            for (&l, c) in &chosen {
+                *equation.entry(l).or_insert_with(BigRational::zero) -= &factor * c;
             }
-            steps.push((to, equation, factor));
+            equation.retain(|_, c| !c.is_zero());
+            steps.push((to, from, factor));
         }
-        pivots.push(Pivot {
-            equation,
-            unknown,
-            entries,
-        });
+        pivots.push((from, unknown, chosen));
     }
-    (pivots, steps)
+    Elimination { pivots, steps }
 }
 
 /// The rank of second differences of `size` points.
 pub fn rank(rows: &[Row], size: usize) -> usize {
-    eliminate(&rows.iter().collect::<Vec<_>>(), size).0.len()
+    eliminate(&rows.iter().collect::<Vec<_>>(), size).pivots.len()
 }
 
 impl Basis {
@@ -104,103 +91,60 @@ impl Basis {
     ///
     /// # Errors
     ///
-    /// If and only if the list is not increasing, not within the differences, not as long as the rank or dependent:
-    /// rule `bases`; or the work allowed is used up.
+    /// If and only if the list is not increasing, not within the differences, not as long as the
+    /// rank, or dependent: rule `bases`; or the work allowed is used up.
     pub fn new(space: &Space, list: &[usize]) -> Outcome<Self> {
+        let (rule, rank) = (Rule::Bases, space.rank);
+        let within = list.iter().all(|l| (1..=space.rows.len()).contains(l));
         let increasing = list.windows(2).all(|pair| pair[0] < pair[1]);
-        let within = list.iter().all(|&l| (1..=space.rows.len()).contains(&l));
-        require(increasing && within, Rule::Bases, || {
-            "a basis is not an increasing list of second differences".into()
-        })?;
-        require(list.len() == space.rank, Rule::Bases, || {
-            format!(
-                "a basis has {} differences, the rank is {}",
-                list.len(),
-                space.rank
-            )
-        })?;
+        ensure!(within && increasing, rule, "not an increasing list of second differences");
+        ensure!(list.len() == rank, rule, "{} differences, but the rank is {rank}", list.len());
         let list: Vec<usize> = list.iter().map(|l| l - 1).collect();
         let rows: Vec<&Row> = list.iter().map(|&l| &space.rows[l]).collect();
-        let (pivots, steps) = eliminate(&rows, space.size);
-        require(pivots.len() == list.len(), Rule::Bases, || {
-            format!("a basis has the rank {} only", pivots.len())
-        })?;
-        let basis = Self::compile(list, space.size, &pivots, steps);
-        space.charge(100 * basis.length())?;
-        Ok(basis)
+        space.charge(30 * (space.size * space.size) as u64)?;
+        let elimination = eliminate(&rows, space.size);
+        let found = elimination.pivots.len();
+        ensure!(found == rank, rule, "the differences have the rank {found}, not {rank}");
+        Ok(Self::compile(list, space.size, elimination))
     }
 
-    /// Turns rational elimination into integer instructions; `dens[i]` is what register i is over.
-    fn compile(
-        list: Vec<usize>,
-        size: usize,
-        pivots: &[Pivot],
-        steps: Vec<(usize, usize, BigRational)>,
-    ) -> Self {
+    /// Turns the rational elimination into an integer program; register i is over `dens[i]`.
+    fn compile(list: Vec<usize>, size: usize, Elimination { pivots, steps }: Elimination) -> Self {
         let mut program = Vec::new();
         let mut dens = vec![BigInt::one(); size];
-        // register[to] / dens[to] - factor register[from] / dens[from]
-        for (to, from, factor) in steps {
-            let over = factor.denom() * &dens[from];
-            let den = dens[to].lcm(&over);
-            let terms = vec![(-factor.numer() * (&den / over), from)];
-            program.push(Instruction {
-                to,
-                own: &den / &dens[to],
-                terms,
-            });
+        let mut assign = |to: usize, own: BigRational, terms: Vec<(BigRational, usize)>| {
+            // own register[to] / dens[to] + Σ factor register[from] / dens[from]
+            let over = |factor: BigRational, i: usize| factor / &dens[i];
+            let own = over(own, to);
+            let terms: Vec<_> = terms.into_iter().map(|(c, from)| (over(c, from), from)).collect();
+            let den = terms.iter().fold(own.denom().clone(), |den, (c, _)| den.lcm(c.denom()));
+            let whole = |c: &BigRational| c.numer() * (&den / c.denom());
+            let terms = terms.iter().map(|(c, from)| (whole(c), *from)).collect();
+            program.push(Instruction { to, own: whole(&own), terms });
             dens[to] = den;
+        };
+        for (to, from, factor) in steps {
+            assign(to, BigRational::one(), vec![(-factor, from)]);
         }
         let mut place = vec![0; list.len()];
-        for pivot in pivots {
-            place[pivot.unknown] = pivot.equation;
+        for (from, unknown, _) in &pivots {
+            place[*unknown] = *from;
         }
-        // x = (register / dens - Σ c_l x_l) / c for the pivot's c, the last pivot first; x replaces the register.
-        for pivot in pivots.iter().rev() {
-            let to = pivot.equation;
-            let c = &pivot.entries[&pivot.unknown];
-            let own = c.recip() / &dens[to];
-            let others = pivot.entries.iter().filter(|(l, _)| **l != pivot.unknown);
-            let terms: Vec<_> = others
-                .map(|(&l, other)| (-other / c / &dens[place[l]], place[l]))
-                .collect();
-            let den = terms.iter().fold(own.denom().clone(), |den, (factor, _)| {
-                den.lcm(factor.denom())
-            });
-            let whole = |x: &BigRational| x.numer() * (&den / x.denom());
-            let terms = terms
-                .iter()
-                .map(|(factor, from)| (whole(factor), *from))
-                .collect();
-            program.push(Instruction {
-                to,
-                own: whole(&own),
-                terms,
-            });
-            dens[to] = den;
+        // With the later unknowns known: x = (t - Σ c_l x_l) / c, which replaces t.
+        for (from, unknown, equation) in pivots.iter().rev() {
+            let c = &equation[unknown];
+            let others = equation.iter().filter(|(l, _)| *l != unknown);
+            assign(*from, c.recip(), others.map(|(&l, other)| (-other / c, place[l])).collect());
         }
-        let den = place
-            .iter()
-            .fold(BigInt::one(), |den, &i| den.lcm(&dens[i]));
-        program.extend(place.iter().map(|&to| Instruction {
-            to,
-            own: &den / &dens[to],
-            terms: Vec::new(),
-        }));
-        Self {
-            list,
-            program,
-            place,
-            den,
-        }
+        let den = place.iter().fold(BigInt::one(), |den, &i| den.lcm(&dens[i]));
+        let scale = |&to| Instruction { to, own: &den / &dens[to], terms: Vec::new() };
+        program.extend(place.iter().map(scale));
+        Self { list, program, place, den }
     }
 
     /// The number of the program's terms.
     pub fn length(&self) -> u64 {
-        self.program
-            .iter()
-            .map(|instruction| 1 + instruction.terms.len() as u64)
-            .sum()
+        self.program.iter().map(|instruction| 1 + instruction.terms.len() as u64).sum()
     }
 
     /// The weight of a form given times q: a polynomial, to be divided by q.
@@ -209,74 +153,62 @@ impl Basis {
     ///
     /// If and only if the form is not in the span: rule `bases`; or the work allowed is used up.
     pub fn weight(&self, space: &Space, form: &Form) -> Outcome<Polynomial> {
-        let width = form.width;
-        space.charge(
-            (self.length() + 4 * self.list.len() as u64)
-                * width as u64
-                * (2 + form.den.bits() / 64 + self.den.bits() / 64),
-        )?;
-        let mut registers: Vec<Vec<BigInt>> = form
-            .num
-            .chunks_exact(width)
-            .map(<[BigInt]>::to_vec)
-            .collect();
-        for Instruction { to, own, terms } in &self.program {
-            let mut result = std::mem::take(&mut registers[*to]);
-            if !own.is_one() {
-                result.iter_mut().for_each(|x| *x *= own);
-            }
-            for (factor, from) in terms {
-                for (x, y) in result
-                    .iter_mut()
-                    .zip(&registers[*from])
-                    .filter(|(_, y)| !y.is_zero())
-                {
-                    *x += factor * y;
-                }
-            }
-            registers[*to] = result;
-        }
-        self.verify(space, form, &registers)?;
+        let limbs = 2 + (form.den.bits() + self.den.bits()) / 64;
+        space.charge((self.length() + 4 * self.list.len() as u64) * form.width as u64 * limbs)?;
+        let registers = self.solve(form);
+        ensure!(
+            self.solves(space, form, &registers),
+            Rule::Bases,
+            "a functional is not in the span"
+        );
         let den = &self.den * &form.den;
-        let mut sum = vec![BigInt::zero(); width];
+        let mut sum = vec![BigInt::zero(); form.width];
         let mut uncertain = Polynomial::integer(0);
         for &i in &self.place {
             let multiplier = Polynomial::new(registers[i].clone(), den.clone());
+            let both = sum.iter_mut().zip(&registers[i]);
             match multiplier.sign(&space.beta) {
                 Some(Sign::NoSign) => (),
-                Some(Sign::Plus) => sum
-                    .iter_mut()
-                    .zip(&registers[i])
-                    .for_each(|(sum, x)| *sum += x),
-                Some(Sign::Minus) => sum
-                    .iter_mut()
-                    .zip(&registers[i])
-                    .for_each(|(sum, x)| *sum -= x),
+                Some(Sign::Plus) => both.for_each(|(sum, x)| *sum += x),
+                Some(Sign::Minus) => both.for_each(|(sum, x)| *sum -= x),
                 None => {
-                    uncertain =
-                        &uncertain + &Polynomial::constant(&multiplier.magnitude(&space.beta))
+                    let most = multiplier.magnitude(&space.beta);
+                    uncertain = &uncertain + &Polynomial::constant(&most);
                 }
             }
         }
         Ok(&Polynomial::new(sum, den) + &uncertain)
     }
 
-    /// Checks `Σ_l x_l alpha_l = den form` coefficient by coefficient at every point.
-    fn verify(&self, space: &Space, form: &Form, registers: &[Vec<BigInt>]) -> Outcome<()> {
+    /// Runs the program on a form's numerators.
+    fn solve(&self, form: &Form) -> Vec<Vec<BigInt>> {
+        let mut registers: Vec<_> = form.num.chunks(form.width).map(<[BigInt]>::to_vec).collect();
+        for Instruction { to, own, terms } in &self.program {
+            let mut result = std::mem::take(&mut registers[*to]);
+            if !own.is_one() {
+                result.iter_mut().for_each(|x| *x *= own);
+            }
+            for (factor, from) in terms {
+                let from = registers[*from].iter();
+                for (x, y) in result.iter_mut().zip(from).filter(|(_, y)| !y.is_zero()) {
+                    *x += factor * y;
+                }
+            }
+            registers[*to] = result;
+        }
+        registers
+    }
+
+    /// True if `Σ_l x_l alpha_l = den form`, coefficient by coefficient at every point.
+    fn solves(&self, space: &Space, form: &Form, registers: &[Vec<BigInt>]) -> bool {
         let mut sums = vec![BigInt::zero(); form.num.len()];
         for (&l, &place) in self.list.iter().zip(&self.place) {
             for &(i, c) in &space.rows[l] {
-                for (sum, x) in sums[i * form.width..].iter_mut().zip(&registers[place]) {
-                    *sum += x * c;
-                }
+                let at = sums[i * form.width..].iter_mut();
+                at.zip(&registers[place]).for_each(|(sum, x)| *sum += x * c);
             }
         }
-        let same = sums
-            .iter()
-            .zip(&form.num)
-            .all(|(sum, x)| *sum == x * &self.den);
-        require(same && self.den.is_positive(), Rule::Bases, || {
-            "a functional is not in the span of its basis".into()
-        })
+        let same = sums.iter().zip(&form.num).all(|(sum, x)| *sum == x * &self.den);
+        same && self.den.is_positive()
     }
 }

@@ -1,64 +1,59 @@
 //! Cells: a quartic of weights is at most the bound on its triangle, shown in one of three ways.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::Zero;
 
-use crate::file::{By, Number};
+use crate::file::{By, Name, Number};
 use crate::polynomial::Polynomial;
-use crate::rational::ratio;
-use crate::reject::{Outcome, Rule, require};
+use crate::rational::{decimal, ratio};
+use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::space::Space;
-use crate::word::{bernstein, exponents, index};
+use crate::word::{bernstein, exponents, index, is_in_triangle};
 
 /// Shows that the quartic with the coefficients `c / q` is at most `bound / q`.
 ///
 /// # Errors
 ///
-/// If and only if the way given does not show it: rule `cell-hull`, `cell-edge` or `cell-concave`.
+/// If and only if it is not shown: rule `cell-hull`, `cell-edge`, `cell-concave` or, for a way that
+/// there is not, `format`.
 pub fn check(space: &Space, c: &[Polynomial], bound: &Polynomial, by: &By) -> Outcome<()> {
     match by {
-        By::Hull(_) => coefficients(space, c, 0..c.len(), bound, Rule::CellHull),
-        By::Edge(_, opposite, Number(s)) => edge(space, c, bound, *opposite, s),
-        By::Concave(_, Number(v), Number(w)) => concave(space, c, bound, v, w),
+        By::Alone(Name::Hull) => hull(space, c, bound, Rule::CellHull, |_| true),
+        By::Edge(Name::Edge, opposite, Number(s)) => edge(space, c, bound, *opposite, s),
+        By::Concave(Name::Concave, Number(v), Number(w)) => concave(space, c, bound, v, w),
+        _ => Err(Rejection::new(Rule::Format, "there is no such way to show a cell")),
     }
 }
 
-/// The rule by which a cell is shown.
-pub fn rule(by: &By) -> Rule {
-    match by {
-        By::Hull(_) => Rule::CellHull,
-        By::Edge(..) => Rule::CellEdge,
-        By::Concave(..) => Rule::CellConcave,
-    }
-}
+type Bound<'a> = &'a Polynomial;
 
-fn coefficients(
+/// The coefficients with these exponents are at most the bound.
+fn hull(
     space: &Space,
     c: &[Polynomial],
-    indices: impl IntoIterator<Item = usize>,
-    bound: &Polynomial,
+    bound: Bound,
     rule: Rule,
+    these: impl Fn(&[usize; 3]) -> bool,
 ) -> Outcome<()> {
-    for i in indices {
-        space.require_at_most(&c[i], bound, rule, || format!("coefficient {i}"))?;
+    let these = exponents(4).into_iter().zip(c).enumerate().filter(|(_, (e, _))| these(e));
+    for (i, (_, c)) in these {
+        space.at_most(c, bound, rule, format_args!("coefficient {i}"))?;
     }
     Ok(())
 }
 
 /// `Σ weights_i c_i`.
 fn combine(weights: &[BigRational], c: &[Polynomial]) -> Polynomial {
-    weights
-        .iter()
-        .zip(c)
-        .fold(Polynomial::integer(0), |sum, (x, c)| &sum + &c.scale(x))
+    let terms = weights.iter().zip(c).map(|(x, c)| c.scale(x));
+    terms.fold(Polynomial::integer(0), |sum, term| &sum + &term)
 }
 
-/// The second difference `a - 2b + c`, or with b = (x + y)/2 any `a - x - y + c`.
+/// `a - x - y + c`.
 fn second(a: &Polynomial, x: &Polynomial, y: &Polynomial, c: &Polynomial) -> Polynomial {
     &(a + c) - &(x + y)
 }
 
-/// `B_i(s)` of degree m on [0, 1]: those of the triangle on the edge w = 0.
+/// The Bernstein polynomials of a degree on [0, 1] at s: those of the triangle on w = 0.
 fn on_interval(degree: usize, s: &BigRational) -> Vec<BigRational> {
     let values = bernstein(degree, s, &BigRational::zero());
     (0..=degree).map(|j| values[index(j, 0)].clone()).collect()
@@ -67,44 +62,30 @@ fn on_interval(degree: usize, s: &BigRational) -> Vec<BigRational> {
 fn edge(
     space: &Space,
     c: &[Polynomial],
-    bound: &Polynomial,
+    bound: Bound,
     opposite: usize,
     s: &BigRational,
 ) -> Outcome<()> {
     let rule = Rule::CellEdge;
-    require(opposite < 3, rule, || {
-        "there is no corner opposite to the edge".into()
-    })?;
-    let one = BigRational::one();
-    require(!s.is_negative() && s <= &one, rule, || {
-        "the parameter on the edge is not from 0 to 1".into()
-    })?;
-    let off = exponents(4)
-        .into_iter()
-        .enumerate()
-        .filter(|(_, e)| e[opposite] > 0)
-        .map(|(i, _)| i);
-    coefficients(space, c, off, bound, rule)?;
-    // e = 0: from corner 1 to 2; e = 1: from 0 to 2; e = 2: from 0 to 1.
-    let on = (0..=4).map(|m| match opposite {
-        0 => index(4 - m, m),
-        1 => index(0, m),
-        _ => index(m, 0),
-    });
-    let f: Vec<Polynomial> = on.map(|i| c[i].clone()).collect();
-    let zero = Polynomial::integer(0);
+    let valid = opposite < 3 && is_in_triangle(s, &BigRational::zero());
+    ensure!(valid, rule, "there is no such edge, or no such point on it");
+    hull(space, c, bound, rule, |e| e[opposite] > 0)?;
+    let on = |m: usize| match opposite {
+        0 => index(4 - m, m), // from corner 1 to 2
+        1 => index(0, m),     // from corner 0 to 2
+        _ => index(m, 0),     // from corner 0 to 1
+    };
+    let f: Vec<_> = (0..=4).map(|m| c[on(m)].clone()).collect();
     for three in f.windows(3) {
         let bend = second(&three[0], &three[1], &three[1], &three[2]);
-        space.require_at_most(&bend, &zero, rule, || {
-            "a second difference on the edge".into()
-        })?;
+        space.at_most(&bend, &Polynomial::integer(0), rule, "a second difference on the edge")?;
     }
     let value = combine(&on_interval(4, s), &f);
     let steps: Vec<_> = f.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
     let slope = combine(&on_interval(3, s), &steps).scale(&ratio(4, 1));
-    for end in [BigRational::zero(), one] {
-        let tangent = &value + &slope.scale(&(&end - s));
-        space.require_at_most(&tangent, bound, rule, || format!("the tangent at {end}"))?;
+    for end in [0, 1] {
+        let tangent = &value + &slope.scale(&(ratio(end, 1) - s));
+        space.at_most(&tangent, bound, rule, format_args!("the tangent at {end}"))?;
     }
     Ok(())
 }
@@ -112,43 +93,35 @@ fn edge(
 fn concave(
     space: &Space,
     c: &[Polynomial],
-    bound: &Polynomial,
+    bound: Bound,
     v: &BigRational,
     w: &BigRational,
 ) -> Outcome<()> {
     let rule = Rule::CellConcave;
-    let one = BigRational::one();
-    let inside = !v.is_negative() && !w.is_negative() && v + w <= one;
-    require(inside, rule, || "the point is not in the triangle".into())?;
+    ensure!(is_in_triangle(v, w), rule, "the point is not in the triangle");
     let at = |j: usize, k: usize| &c[index(j, k)];
     let zero = Polynomial::integer(0);
     for [_, j, k] in exponents(2) {
         let aa = second(at(j + 2, k), at(j + 1, k), at(j + 1, k), at(j, k));
         let bb = second(at(j, k + 2), at(j, k + 1), at(j, k + 1), at(j, k));
         let ab = second(at(j + 1, k + 1), at(j + 1, k), at(j, k + 1), at(j, k));
-        space.require_at_most(&aa, &zero, rule, || "a second derivative in v".into())?;
-        space.require_at_most(&bb, &zero, rule, || "a second derivative in w".into())?;
-        let definite = (&ab * &ab).is_at_most(&(&aa * &bb), &space.beta);
-        require(definite, rule, || {
-            let [aa, ab, bb] =
-                [&aa, &ab, &bb].map(|x| crate::rational::decimal(&space.near(x), 12));
-            format!("the second derivatives {aa}, {ab}, {bb} are not shown to be concave")
-        })?;
+        space.at_most(&aa, &zero, rule, "a second derivative in v")?;
+        space.at_most(&bb, &zero, rule, "a second derivative in w")?;
+        let [square, product] = [&ab * &ab, &aa * &bb];
+        let definite = (&square - &product).is_at_most_zero(&space.beta);
+        let [aa, ab, bb] = [aa, ab, bb].map(|x| decimal(&space.near(&x), 12));
+        ensure!(definite, rule, "second derivatives {aa}, {ab}, {bb}: not shown to be concave");
     }
     let value = combine(&bernstein(4, v, w), c);
-    let slope = |step: fn(usize, usize) -> usize| {
-        let steps: Vec<_> = exponents(3)
-            .iter()
-            .map(|&[_, j, k]| &c[step(j, k)] - at(j, k))
-            .collect();
-        combine(&bernstein(3, v, w), &steps).scale(&ratio(4, 1))
+    let slope = |step: [usize; 2]| {
+        let rise = |&[_, j, k]: &[usize; 3]| at(j + step[0], k + step[1]) - at(j, k);
+        let rises: Vec<_> = exponents(3).iter().map(rise).collect();
+        combine(&bernstein(3, v, w), &rises).scale(&ratio(4, 1))
     };
-    let (slope_v, slope_w) = (slope(|j, k| index(j + 1, k)), slope(|j, k| index(j, k + 1)));
+    let (slope_v, slope_w) = (slope([1, 0]), slope([0, 1]));
     for (x, y) in [(0, 0), (1, 0), (0, 1)] {
         let rise = &slope_v.scale(&(ratio(x, 1) - v)) + &slope_w.scale(&(ratio(y, 1) - w));
-        space.require_at_most(&(&value + &rise), bound, rule, || {
-            format!("the tangent plane at ({x}, {y})")
-        })?;
+        space.at_most(&(&value + &rise), bound, rule, format_args!("the plane at ({x}, {y})"))?;
     }
     Ok(())
 }
@@ -156,7 +129,9 @@ fn concave(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::file::{ConcaveName, EdgeName, HullName, Weights};
+    use crate::cosine::rational_beta;
+    use crate::file::{Number, Weights};
+    use crate::polynomial::Beta;
 
     /// The coefficients of `x0 + a v + b w + p v^2 + 2 h v w + r w^2`, raised to degree 4.
     fn quartic([x0, a, b, p, h, r]: [i64; 6]) -> Vec<Polynomial> {
@@ -165,14 +140,11 @@ mod tests {
             let second = p * j * (j - 1) + 2 * h * j * k + r * k * (k - 1);
             ratio(x0, 1) + ratio(a * j + b * k, 4) + ratio(second, 12)
         };
-        exponents(4)
-            .into_iter()
-            .map(|[_, j, k]| Polynomial::constant(&blossom(j, k)))
-            .collect()
+        exponents(4).into_iter().map(|[_, j, k]| Polynomial::constant(&blossom(j, k))).collect()
     }
 
     fn shows(c: &[Polynomial], bound: BigRational, by: &By) -> bool {
-        let space = Space::rational(Weights::Warren, 6).unwrap();
+        let space = Space::of(6, Beta::exact(&rational_beta(Weights::Warren, 6).unwrap()));
         let over_q = |x: &Polynomial| &space.q * x;
         let c: Vec<_> = c.iter().map(over_q).collect();
         check(&space, &c, &space.q.scale(&bound), by).is_ok()
@@ -182,27 +154,19 @@ mod tests {
     fn a_concave_quadratic_with_its_maximum_inside() {
         // 2v + 2w - 3v^2 - 3w^2 - 2vw has the maximum 1/2 at (1/4, 1/4).
         let c = quartic([0, 2, 2, -3, -1, -3]);
-        let by = |v, w| By::Concave(ConcaveName::Concave, Number(v), Number(w));
+        let by = |v, w| By::Concave(Name::Concave, Number(v), Number(w));
         assert!(shows(&c, ratio(1, 2), &by(ratio(1, 4), ratio(1, 4))));
-        assert!(!shows(
-            &c,
-            ratio(1, 2) - ratio(1, 1_000_000),
-            &by(ratio(1, 4), ratio(1, 4))
-        ));
+        assert!(!shows(&c, ratio(1, 2) - ratio(1, 1_000_000), &by(ratio(1, 4), ratio(1, 4))));
         assert!(!shows(&c, ratio(1, 2), &by(ratio(1, 5), ratio(1, 4))));
         assert!(!shows(&c, ratio(1, 2), &by(ratio(-1, 4), ratio(1, 4))));
-        assert!(!shows(&c, ratio(1, 2), &By::Hull(HullName::Hull)));
+        assert!(!shows(&c, ratio(1, 2), &By::Alone(Name::Hull)));
         // A saddle, and a valley, stay below their bound but are not concave.
         assert!(!shows(
             &quartic([0, 2, 2, -3, -4, -3]),
             ratio(9, 1),
             &by(ratio(1, 4), ratio(1, 4))
         ));
-        assert!(!shows(
-            &quartic([0, 0, 0, 1, 0, -1]),
-            ratio(9, 1),
-            &by(ratio(1, 4), ratio(1, 4))
-        ));
+        assert!(!shows(&quartic([0, 0, 0, 1, 0, -1]), ratio(9, 1), &by(ratio(1, 4), ratio(1, 4))));
     }
 
     #[test]
@@ -214,26 +178,18 @@ mod tests {
             quartic([0, 4, -9, -4, 0, 0]),     // w = 0
         ];
         for (e, c) in edges.iter().enumerate() {
-            let by = |e, s| By::Edge(EdgeName::Edge, e, Number(s));
+            let by = |e, s| By::Edge(Name::Edge, e, Number(s));
             assert!(shows(c, ratio(1, 1), &by(e, ratio(1, 2))), "edge {e}");
             assert!(!shows(c, ratio(1, 1), &by(e, ratio(1, 3))));
             assert!(!shows(c, ratio(1, 1), &by(e, ratio(3, 2))));
             assert!(!shows(c, ratio(1, 1), &by((e + 1) % 3, ratio(1, 2))));
             assert!(!shows(c, ratio(1, 1), &by(3, ratio(1, 2))));
             assert!(!shows(c, ratio(999, 1000), &by(e, ratio(1, 2))));
-            assert!(!shows(c, ratio(1, 1), &By::Hull(HullName::Hull)));
+            assert!(!shows(c, ratio(1, 1), &By::Alone(Name::Hull)));
         }
         // An asymmetric one tells the direction: s (1 - s) (2 + ..): f = 3s - 2s^2 - .., its maximum at s = 3/4.
         let c = quartic([0, 3, -9, -2, 0, 0]);
-        assert!(shows(
-            &c,
-            ratio(9, 8),
-            &By::Edge(EdgeName::Edge, 2, Number(ratio(3, 4)))
-        ));
-        assert!(!shows(
-            &c,
-            ratio(9, 8),
-            &By::Edge(EdgeName::Edge, 2, Number(ratio(1, 4)))
-        ));
+        assert!(shows(&c, ratio(9, 8), &By::Edge(Name::Edge, 2, Number(ratio(3, 4)))));
+        assert!(!shows(&c, ratio(9, 8), &By::Edge(Name::Edge, 2, Number(ratio(1, 4)))));
     }
 }

@@ -3,12 +3,13 @@
 use num_rational::BigRational;
 
 use crate::covering::text;
-use crate::file::{Claim, Kind, Value, Weights};
+use crate::file::{Claim, Kind, Norm, Scheme, Value, Weights};
 use crate::rational::decimal;
 
 /// The claim in words: scheme, weights, valence, level, kind, norm, lo, hi, exact.
 pub fn in_words(claim: &Claim) -> String {
     let (n, k) = (claim.valence, claim.level);
+    let (Scheme::Loop, Norm::Second) = (claim.scheme, claim.norm);
     let weights = match claim.weights {
         Weights::Original => "original",
         Weights::Warren => "Warren's",
@@ -29,11 +30,8 @@ pub fn in_words(claim: &Claim) -> String {
         None => String::new(),
         Some(Value::Rational(r)) => format!(", exactly {}", number(&r.0)),
         Some(Value::OverQ(list)) => {
-            let terms: Vec<_> = list
-                .iter()
-                .enumerate()
-                .map(|(k, c)| format!("{} beta^{k}", c.0))
-                .collect();
+            let terms: Vec<_> =
+                list.iter().enumerate().map(|(k, c)| format!("{} beta^{k}", c.0)).collect();
             format!(", exactly ({}) / (3 + 8 beta)", terms.join(" + "))
         }
     };

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::reject::{Outcome, Rule, require};
-use crate::word::mirrored;
+use crate::reject::{Outcome, Rule, ensure};
+use crate::word::{is_regular, mirrored};
 
 /// Shows that the cells cover the word of `whole` zeros, the word of `tail >= whole` zeros apart.
 ///
@@ -11,52 +11,44 @@ use crate::word::mirrored;
 ///
 /// If and only if they do not, or a cell takes no part: rule `covering`.
 pub fn check(whole: usize, tail: usize, cells: &[&[u8]]) -> Outcome<()> {
+    let rule = Rule::Covering;
     let mut places = HashMap::new();
-    for (i, word) in cells.iter().enumerate() {
+    for (i, &word) in cells.iter().enumerate() {
+        ensure!(is_regular(word), rule, "cell {}: a word of zeros only", text(word));
         let image = mirrored(word);
-        let twice = places.contains_key(*word) || places.contains_key(&image);
-        require(!twice, Rule::Covering, || {
-            format!("cell {} is there twice", text(word))
-        })?;
+        let twice = places.contains_key(word) || places.contains_key(&image);
+        ensure!(!twice, rule, "cell {} is there twice", text(word));
         places.insert(word.to_vec(), i);
         places.insert(image, i);
     }
-    let longest = cells
-        .iter()
-        .map(|word| word.len())
-        .max()
-        .unwrap_or(0)
-        .max(tail);
+    let longest = cells.iter().map(|word| word.len()).fold(tail, usize::max);
     let mut used = vec![false; cells.len()];
     let mut open = vec![vec![0; whole]];
     // Each word taken up is covered itself, or all four parts of it are put up.
     while let Some(word) = open.pop() {
-        if word.len() == tail && word.iter().all(|&letter| letter == 0) {
+        if word.len() == tail && !is_regular(&word) {
             continue;
         }
         if let Some(&i) = places.get(&word) {
             used[i] = true;
             continue;
         }
-        require(word.len() < longest, Rule::Covering, || {
-            format!("the word {} is not covered", text(&word))
-        })?;
+        ensure!(word.len() < longest, rule, "the word {} is not covered", text(&word));
         open.extend((0..4).map(|letter| [&word[..], &[letter]].concat()));
     }
-    let idle = used.iter().position(|used| !used);
-    require(idle.is_none(), Rule::Covering, || {
-        format!("cell {} is superfluous", text(cells[idle.unwrap_or(0)]))
-    })
+    let idle = cells.iter().zip(used).find(|(_, used)| !used);
+    ensure!(
+        idle.is_none(),
+        rule,
+        "cell {} is superfluous",
+        text(idle.map_or(&[], |(word, _)| word))
+    );
+    Ok(())
 }
 
 /// A word as it is written.
 pub fn text(word: &[u8]) -> String {
-    format!(
-        "{:?}",
-        word.iter()
-            .map(|&letter| char::from(b'0' + letter))
-            .collect::<String>()
-    )
+    format!("{:?}", word.iter().map(|&letter| char::from(b'0' + letter)).collect::<String>())
 }
 
 #[cfg(test)]
@@ -64,16 +56,9 @@ mod tests {
     use super::*;
 
     fn covers(whole: usize, tail: usize, words: &[&str]) -> bool {
-        let words: Vec<Vec<u8>> = words
-            .iter()
-            .map(|word| word.bytes().map(|b| b - b'0').collect())
-            .collect();
-        check(
-            whole,
-            tail,
-            &words.iter().map(Vec::as_slice).collect::<Vec<_>>(),
-        )
-        .is_ok()
+        let words: Vec<Vec<u8>> =
+            words.iter().map(|word| word.bytes().map(|b| b - b'0').collect()).collect();
+        check(whole, tail, &words.iter().map(Vec::as_slice).collect::<Vec<_>>()).is_ok()
     }
 
     #[test]

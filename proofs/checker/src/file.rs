@@ -1,18 +1,21 @@
-//! The certificate as it is written: section 3 of FORMAT.md, with every limit of section 5.
+//! The certificate as it is written: section 3 of FORMAT.md.
+
+use std::ops::RangeInclusive;
 
 use num_rational::BigRational;
+use num_traits::Zero;
 use serde::de::{Deserialize, Deserializer, Error};
 
 use crate::rational;
-use crate::reject::{Outcome, Rule, require};
+use crate::reject::{Outcome, Rejection, Rule, ensure};
 
 /// The largest file, in bytes.
 pub const BYTES: usize = 64 << 20;
-/// The most letters of a word, steps and depth of a lemma, and their sum.
+/// The most letters of a word, and the most that the depth and the steps of a lemma come to.
 pub const LETTERS: usize = 40;
-const VALENCES: std::ops::RangeInclusive<usize> = 3..=400;
-const LEVEL: usize = 8;
-const COEFFICIENTS: usize = 64;
+const VALENCES: RangeInclusive<usize> = 3..=400;
+const LEVELS: RangeInclusive<usize> = 0..=8;
+const COEFFICIENTS: RangeInclusive<usize> = 1..=64;
 
 /// A rational in its one written form.
 #[derive(Clone, Debug)]
@@ -25,13 +28,11 @@ impl<'de> Deserialize<'de> for Number {
     }
 }
 
-/// A value: a rational r, or the coefficients of a polynomial in beta that is divided by q.
+/// A rational, or the coefficients of a polynomial in beta that is divided by q.
 #[derive(Clone, Debug, serde::Deserialize)]
 #[serde(untagged)]
 pub enum Value {
-    /// The rational itself.
     Rational(Number),
-    /// `(c_0 + c_1 beta + ..) / q`.
     OverQ(Vec<Number>),
 }
 
@@ -44,15 +45,13 @@ impl<'de> Deserialize<'de> for Word {
         let text = String::deserialize(source)?;
         let letters: Vec<u8> = text.bytes().map(|b| b.wrapping_sub(b'0')).collect();
         if letters.len() > LETTERS || letters.iter().any(|&letter| letter > 3) {
-            return Err(D::Error::custom(
-                "a word has at most 40 letters, each 0, 1, 2 or 3",
-            ));
+            return Err(D::Error::custom("a word has at most 40 letters, each 0, 1, 2 or 3"));
         }
         Ok(Self(letters))
     }
 }
 
-/// The index of a basis.
+/// The index of a basis, from 0.
 pub type Cite = usize;
 
 /// A whole certificate.
@@ -61,14 +60,11 @@ pub type Cite = usize;
 pub struct File {
     format: String,
     version: u32,
-    /// What is claimed.
     pub claim: Claim,
-    /// The enclosure of cos(π/n), or null.
     #[serde(deserialize_with = "nullable")]
     pub cosine: Option<(Number, Number)>,
-    /// The bases, each an increasing list of indices from 1.
+    /// Increasing lists of indices from 1.
     pub bases: Vec<Vec<usize>>,
-    /// The steps.
     pub steps: Vec<Step>,
 }
 
@@ -76,7 +72,6 @@ pub struct File {
 #[derive(Clone, Copy, Debug, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Scheme {
-    /// Loop's scheme.
     Loop,
 }
 
@@ -84,9 +79,7 @@ pub enum Scheme {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Weights {
-    /// Loop 1987.
     Original,
-    /// Warren's.
     Warren,
 }
 
@@ -94,7 +87,6 @@ pub enum Weights {
 #[derive(Clone, Copy, Debug, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Norm {
-    /// The largest second difference.
     Second,
 }
 
@@ -102,81 +94,54 @@ pub enum Norm {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
-    /// The distance to the control mesh.
     Control,
-    /// The distance to the limit mesh.
     Limit,
-    /// The rate at which the differences round the extraordinary vertex shrink.
     Rate,
-    /// The rate at which all differences shrink.
     MeshRate,
-    /// One Bernstein coefficient.
     Coefficient,
 }
 
-/// A claim.
 #[derive(Clone, Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Claim {
-    /// The scheme.
     pub scheme: Scheme,
-    /// The weights.
     pub weights: Weights,
-    /// The valence n.
     pub valence: usize,
-    /// The level k.
     pub level: usize,
-    /// The kind of constant.
     pub kind: Kind,
-    /// The norm.
     pub norm: Norm,
-    /// The lower bound.
     pub lo: Number,
-    /// The upper bound.
     pub hi: Number,
-    /// The constant itself, or null.
     #[serde(deserialize_with = "nullable")]
     pub exact: Option<Value>,
-    /// Which coefficient; absent for the other kinds.
+    /// Absent unless the kind is `coefficient`.
     #[serde(default, deserialize_with = "present")]
     pub at: Option<Coefficient>,
 }
 
-/// A Bernstein coefficient of a word.
+/// A Bernstein coefficient over a word.
 #[derive(Clone, Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Coefficient {
-    /// The word.
     pub word: Word,
-    /// The index from 0 to 14.
     pub index: usize,
 }
 
-/// A step.
 #[derive(Debug, serde::Deserialize)]
 #[serde(tag = "rule", rename_all = "lowercase")]
 pub enum Step {
-    /// The lower bound.
     Attained(Attained),
-    /// A bound near the extraordinary vertex.
     Lemma(Lemma),
-    /// The upper bound by cells and a lemma.
     Cover(Cover),
-    /// The upper bound by a lemma.
     Apply(Apply),
-    /// The upper bound of a rate.
     Differences(Differences),
-    /// The upper bound of a coefficient.
     Weight(Weight),
 }
 
-/// A net and where it attains the lower bound.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Attained {
-    /// The net.
     pub net: Vec<Number>,
-    /// The place; null for a coefficient.
     #[serde(deserialize_with = "nullable")]
     pub at: Option<Place>,
 }
@@ -185,9 +150,7 @@ pub struct Attained {
 #[derive(Debug, serde::Deserialize)]
 #[serde(untagged)]
 pub enum Place {
-    /// At a point of the surface.
     Point(Point),
-    /// In a second difference.
     Difference(Difference),
 }
 
@@ -195,136 +158,92 @@ pub enum Place {
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Point {
-    /// The word.
     pub word: Word,
-    /// The first parameter.
     pub v: Number,
-    /// The second parameter.
     pub w: Number,
 }
 
-/// A second difference of the net of a word.
+/// A second difference of the net of a word, its index from 1.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Difference {
-    /// The word.
     pub word: Word,
-    /// The index from 1.
     pub difference: usize,
 }
 
-/// A tail: for each corner, the bases for s = +1 and for s = -1.
+/// For each corner, the bases for s = +1 and for s = -1.
 pub type Tail = Vec<(Vec<Cite>, Vec<Cite>)>;
 
-/// The step `lemma`.
+/// J is `depth`, K is `steps`, D is `bound`.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Lemma {
-    /// J.
     pub depth: usize,
-    /// K.
     pub steps: usize,
-    /// 0 or 1.
     pub order: u8,
-    /// D.
     pub bound: Value,
-    /// The basis at the corner, for order 1.
     #[serde(deserialize_with = "nullable")]
     pub corner: Option<Cite>,
-    /// The cells.
     pub cells: Vec<Cell>,
-    /// The tail.
     pub tail: Tail,
 }
 
-/// The step `cover`.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Cover {
-    /// K.
     pub steps: usize,
-    /// The index of a lemma.
     pub lemma: usize,
-    /// The cells.
     pub cells: Vec<Cell>,
-    /// The tail.
     pub tail: Tail,
 }
 
-/// The step `apply`.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Apply {
-    /// The index of a lemma.
     pub lemma: usize,
 }
 
-/// The step `differences`.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Differences {
-    /// For each word, the bases of its differences.
     pub words: Vec<(Word, Vec<Cite>)>,
 }
 
-/// The step `weight`.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Weight {
-    /// The basis.
     pub basis: Cite,
 }
 
-/// A cell: word, basis, and how it is shown.
+/// A regular word, its basis, and how it is shown.
 pub type Cell = (Word, Cite, By);
 
-/// How a cell is shown.
+/// How a cell is shown; whether the name is that of the form, `cells` finds out.
 #[derive(Debug, serde::Deserialize)]
 #[serde(untagged)]
 pub enum By {
-    /// By the hull of the coefficients.
-    Hull(HullName),
-    /// By an edge, opposite to a corner, and a parameter on it.
-    Edge(EdgeName, usize, Number),
-    /// By concavity, at a point.
-    Concave(ConcaveName, Number, Number),
+    Alone(Name),
+    Edge(Name, usize, Number),
+    Concave(Name, Number, Number),
 }
 
-/// The word "hull".
-#[derive(Debug, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum HullName {
-    /// The only one.
+pub enum Name {
     Hull,
-}
-
-/// The word "edge".
-#[derive(Debug, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum EdgeName {
-    /// The only one.
     Edge,
-}
-
-/// The word "concave".
-#[derive(Debug, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum ConcaveName {
-    /// The only one.
     Concave,
 }
 
+type Optional<T, E> = Result<Option<T>, E>;
+
 /// A field that must be there, with null allowed.
-fn nullable<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
-    source: D,
-) -> Result<Option<T>, D::Error> {
+fn nullable<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Optional<T, D::Error> {
     Option::deserialize(source)
 }
 
 /// A field that may be absent, with null not allowed.
-fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
-    source: D,
-) -> Result<Option<T>, D::Error> {
+fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Optional<T, D::Error> {
     T::deserialize(source).map(Some)
 }
 
@@ -334,33 +253,23 @@ fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
 ///
 /// If and only if the text is not a certificate of version 1 within the limits: rule `format`.
 pub fn read(bytes: &[u8]) -> Outcome<File> {
-    require(bytes.len() <= BYTES, Rule::Format, || {
-        "the file has more than 64 MiB".into()
-    })?;
-    let file: File = serde_json::from_slice(bytes)
-        .map_err(|error| crate::reject::Rejection::new(Rule::Format, error.to_string()))?;
-    require(
-        file.format == "subcert" && file.version == 1,
-        Rule::Format,
-        || "not format \"subcert\", version 1".into(),
-    )?;
-    require(VALENCES.contains(&file.claim.valence), Rule::Format, || {
-        "the valence is not from 3 to 400".into()
-    })?;
-    require(file.claim.level <= LEVEL, Rule::Format, || {
-        format!("the level is above {LEVEL}")
-    })?;
+    ensure!(bytes.len() <= BYTES, Rule::Format, "the file has more than 64 MiB");
+    let wrong = |error: serde_json::Error| Rejection::new(Rule::Format, error.to_string());
+    let file: File = serde_json::from_slice(bytes).map_err(wrong)?;
+    let known = file.format == "subcert" && file.version == 1;
+    ensure!(known, Rule::Format, "not format \"subcert\", version 1");
+    let (n, level) = (file.claim.valence, file.claim.level);
+    ensure!(VALENCES.contains(&n), Rule::Format, "the valence is not within {VALENCES:?}");
+    ensure!(LEVELS.contains(&level), Rule::Format, "the level is not within {LEVELS:?}");
     let bounds = file.steps.iter().filter_map(|step| match step {
         Step::Lemma(lemma) => Some(&lemma.bound),
         _ => None,
     });
     for value in file.claim.exact.iter().chain(bounds) {
         if let Value::OverQ(list) = value {
-            let whole = list.len() <= COEFFICIENTS
-                && list.last().is_some_and(|c| c.0 != BigRational::default());
-            require(whole, Rule::Format, || {
-                "a value's list is empty, ends with \"0\" or has more than 64 entries".into()
-            })?;
+            let ends = list.last().is_some_and(|last| !last.0.is_zero());
+            let whole = ends && COEFFICIENTS.contains(&list.len());
+            ensure!(whole, Rule::Format, "a list of coefficients ends with \"0\" or is too long");
         }
     }
     Ok(file)

@@ -1,4 +1,4 @@
-//! Linear forms in the points of the net, with polynomials in beta as coefficients.
+//! Linear forms in the points of the first net, with polynomials in beta as coefficients.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -22,33 +22,26 @@ impl Form {
     /// The value of point i (from 0) of `size` points.
     pub fn point(i: usize, size: usize) -> Self {
         let num = (0..size).map(|j| BigInt::from(u8::from(i == j))).collect();
-        Self {
-            width: 1,
-            num,
-            den: BigInt::one(),
-        }
+        Self { width: 1, num, den: BigInt::one() }
+    }
+
+    /// The number of points.
+    pub fn size(&self) -> usize {
+        self.num.len() / self.width
     }
 
     /// `Σ p f` over the terms (p, f), all of `size` points.
     pub fn sum(size: usize, terms: &[(&Polynomial, &Form)]) -> Self {
         let terms = || terms.iter().filter(|(p, _)| !p.is_zero());
-        let width = terms()
-            .map(|(p, f)| p.num.len() - 1 + f.width)
-            .max()
-            .unwrap_or(1);
+        let width = terms().map(|(p, f)| p.num.len() - 1 + f.width).max().unwrap_or(1);
         let den = terms().fold(BigInt::one(), |den, (p, f)| den.lcm(&(&p.den * &f.den)));
         let mut num = vec![BigInt::zero(); size * width];
         for (p, f) in terms() {
             let scale = &den / (&p.den * &f.den);
-            for (j, c) in p.num.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
+            for (k, c) in p.num.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
                 let factor = c * &scale;
-                for (sums, numbers) in num.chunks_exact_mut(width).zip(f.num.chunks_exact(f.width))
-                {
-                    for (sum, x) in sums
-                        .iter_mut()
-                        .skip(j)
-                        .zip(numbers)
-                        .filter(|(_, x)| !x.is_zero())
+                for (sums, numbers) in num.chunks_mut(width).zip(f.num.chunks(f.width)) {
+                    for (sum, x) in sums[k..].iter_mut().zip(numbers).filter(|(_, x)| !x.is_zero())
                     {
                         *sum += &factor * x;
                     }
@@ -58,17 +51,21 @@ impl Form {
         Self { width, num, den }
     }
 
-    /// The value at a net: a polynomial in beta.
-    pub fn at(&self, net: &[BigRational]) -> Polynomial {
-        self.num
-            .chunks_exact(self.width)
-            .zip(net)
-            .fold(Polynomial::integer(0), |sum, (c, y)| {
-                &sum + &Polynomial::new(c.to_vec(), self.den.clone()).scale(y)
-            })
+    /// `Σ c f` over the terms (c, f), all of `size` points.
+    pub fn mix(size: usize, terms: &[(BigRational, &Form)]) -> Self {
+        let constants: Vec<_> = terms.iter().map(|(c, _)| Polynomial::constant(c)).collect();
+        let terms: Vec<_> = constants.iter().zip(terms.iter().map(|(_, f)| *f)).collect();
+        Self::sum(size, &terms)
     }
 
-    /// Elementary operations that a sum with this form costs, roughly.
+    /// The value at a net: a polynomial in beta.
+    pub fn at(&self, net: &[BigRational]) -> Polynomial {
+        let terms = self.num.chunks(self.width).zip(net);
+        let value = |(c, y): (&[BigInt], _)| Polynomial::new(c.to_vec(), self.den.clone()).scale(y);
+        terms.map(value).fold(Polynomial::integer(0), |sum, term| &sum + &term)
+    }
+
+    /// The elementary operations of one pass over the form, roughly.
     pub fn cost(&self) -> u64 {
         self.num.len() as u64 * (1 + self.den.bits() / 64)
     }

@@ -38,14 +38,10 @@ fn run() -> io::Result<ExitCode> {
         out.write_all(HELP.as_bytes())?;
         return Ok(ExitCode::SUCCESS);
     }
-    if let Some(option) = arguments
-        .iter()
-        .find(|argument| argument.to_string_lossy().starts_with('-'))
+    if let Some(option) =
+        arguments.iter().find(|argument| argument.to_string_lossy().starts_with('-'))
     {
-        eprintln!(
-            "subcert-check: there is no option {}; --help tells the usage",
-            option.display()
-        );
+        eprintln!("subcert-check: there is no option {}; --help tells the usage", option.display());
         return Ok(ExitCode::from(2));
     }
     let (mut files, mut unreadable) = (Vec::new(), 0);
@@ -105,10 +101,7 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     let mut entries = fs::read_dir(path)?.collect::<io::Result<Vec<_>>>()?;
     entries.sort_by_key(fs::DirEntry::file_name);
     for entry in entries {
-        let json = entry
-            .path()
-            .extension()
-            .is_some_and(|extension| extension == "json");
+        let json = entry.path().extension().is_some_and(|extension| extension == "json");
         if entry.file_type()?.is_dir() || json {
             collect(&entry.path(), files)?;
         }
@@ -119,8 +112,6 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
 /// The bytes of a file, one more than the largest certificate at most.
 fn read(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    fs::File::open(path)?
-        .take(subcert_check::file::BYTES as u64 + 1)
-        .read_to_end(&mut bytes)?;
+    fs::File::open(path)?.take(subcert_check::BYTES as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }

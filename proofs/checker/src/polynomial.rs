@@ -56,20 +56,8 @@ impl Polynomial {
         for (k, c) in coefficients.enumerate() {
             // [low, high] beta + c, with beta > 0 and everything scaled by 2^(BITS (k + 1)).
             let c = c << (BITS * (k + 1));
-            low = low.clone()
-                * if low.is_negative() {
-                    &beta.high
-                } else {
-                    &beta.low
-                }
-                + &c;
-            high = high.clone()
-                * if high.is_negative() {
-                    &beta.low
-                } else {
-                    &beta.high
-                }
-                + &c;
+            low = low.clone() * if low.is_negative() { &beta.high } else { &beta.low } + &c;
+            high = high.clone() * if high.is_negative() { &beta.low } else { &beta.high } + &c;
         }
         (low, high)
     }
@@ -105,9 +93,11 @@ impl Polynomial {
     /// The polynomial in another one.
     pub fn compose(&self, inner: &Self) -> Self {
         let zero = Self::integer(0);
-        let horner = self.num.iter().rev().fold(zero, |sum, c| {
-            &(&sum * inner) + &Self::new(vec![c.clone()], BigInt::one())
-        });
+        let horner = self
+            .num
+            .iter()
+            .rev()
+            .fold(zero, |sum, c| &(&sum * inner) + &Self::new(vec![c.clone()], BigInt::one()));
         Self::new(horner.num, horner.den * &self.den)
     }
 
@@ -172,10 +162,7 @@ pub struct Beta {
 impl Beta {
     /// An exact rational, > 0.
     pub fn exact(x: &BigRational) -> Self {
-        Self {
-            value: Polynomial::constant(x),
-            ..Self::between(x, x)
-        }
+        Self { value: Polynomial::constant(x), ..Self::between(x, x) }
     }
 
     /// The variable, enclosed by `0 < low <= high`, rounded outward to multiples of `2^-BITS`.

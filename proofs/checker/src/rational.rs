@@ -20,10 +20,7 @@ pub fn ratio(p: i64, q: i64) -> BigRational {
 /// If and only if the text is anything else, or has more than [`DIGITS`] digits in a row.
 pub fn parse(text: &str) -> Result<BigRational, String> {
     let wrong = |why: &str| {
-        format!(
-            "{:?} is no rational: {why}",
-            text.chars().take(40).collect::<String>()
-        )
+        format!("{:?} is no rational: {why}", text.chars().take(40).collect::<String>())
     };
     let (top, bottom) = text.split_once('/').unwrap_or((text, "1"));
     let (sign, digits) = top.strip_prefix('-').map_or((1, top), |rest| (-1, rest));
@@ -66,10 +63,7 @@ pub fn decimal(x: &BigRational, places: u32) -> String {
 /// Decimals of two numbers, with as many places as it takes to tell them apart (at most 60).
 pub fn contrast(x: &BigRational, y: &BigRational) -> (String, String) {
     let written = |places| (decimal(x, places), decimal(y, places));
-    (10..60)
-        .map(written)
-        .find(|(a, b)| a != b)
-        .unwrap_or_else(|| written(60))
+    (10..60).map(written).find(|(a, b)| a != b).unwrap_or_else(|| written(60))
 }
 
 #[cfg(test)]

@@ -2,16 +2,16 @@
 
 use std::fmt;
 
-/// The rules of FORMAT.md by which a file can be rejected; `Display` gives their stable names.
+/// The rules of FORMAT.md by which a file can be rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// The file is not of the form of section 3, or exceeds a limit.
     Format,
-    /// The claim is contradictory, or not one that the steps given can prove.
+    /// The claim is contradictory, or the steps given cannot prove one of its kind.
     Claim,
     /// The enclosure of cos(π/n).
     Cosine,
-    /// The bases and their citations.
+    /// A basis, or the citation of one.
     Bases,
     /// The lower bound.
     Attained,
@@ -31,15 +31,16 @@ pub enum Rule {
     CellEdge,
     /// A cell shown by concavity.
     CellConcave,
-    /// Cells that do not cover, or more than it takes.
+    /// The cells do not cover what they should, or one is superfluous.
     Covering,
     /// A tail.
     Tail,
 }
 
-impl fmt::Display for Rule {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl Rule {
+    /// The stable name.
+    pub fn name(self) -> &'static str {
+        match self {
             Self::Format => "format",
             Self::Claim => "claim",
             Self::Cosine => "cosine",
@@ -55,7 +56,7 @@ impl fmt::Display for Rule {
             Self::CellConcave => "cell-concave",
             Self::Covering => "covering",
             Self::Tail => "tail",
-        })
+        }
     }
 }
 
@@ -71,38 +72,28 @@ pub struct Rejection {
 }
 
 impl Rejection {
-    /// A rejection whose step is not known yet.
+    /// A rejection outside of the steps, or in one not known yet.
     pub fn new(rule: Rule, why: impl Into<String>) -> Self {
-        Self {
-            step: None,
-            rule,
-            why: why.into(),
-        }
+        Self { step: None, rule, why: why.into() }
     }
 }
 
 impl fmt::Display for Rejection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("rejected: ")?;
-        if let Some(step) = self.step {
-            write!(f, "step {step}, ")?;
-        }
-        write!(f, "rule {}: {}", self.rule, self.why)
+        let step = self.step.map(|step| format!("step {step}, ")).unwrap_or_default();
+        write!(f, "rejected: {step}rule {}: {}", self.rule.name(), self.why)
     }
 }
 
-/// A step's outcome.
+/// What checking something comes to.
 pub type Outcome<T> = Result<T, Rejection>;
 
-/// `Ok` if the condition holds, else a rejection.
-///
-/// # Errors
-///
-/// If and only if the condition is false.
-pub fn require(condition: bool, rule: Rule, why: impl FnOnce() -> String) -> Outcome<()> {
-    if condition {
-        Ok(())
-    } else {
-        Err(Rejection::new(rule, why()))
-    }
+/// Returns a rejection by the rule, with a formatted reason, unless the condition holds.
+macro_rules! ensure {
+    ($condition:expr, $rule:expr, $($why:tt)+) => {
+        if !$condition {
+            return Err($crate::reject::Rejection::new($rule, format!($($why)+)));
+        }
+    };
 }
+pub(crate) use ensure;

@@ -1,30 +1,29 @@
-//! What the claim fixes: valence, beta, q, the second differences, and the work allowed.
+//! What a claim fixes: valence, beta, q, the second differences; and the work allowed for it.
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
 use num_rational::BigRational;
 
-use crate::file::{File, Number, Value, Weights};
+use crate::file::{File, Number, Value};
 use crate::net::{edges, opposite};
 use crate::polynomial::{Beta, Polynomial};
 use crate::rational::{contrast, ratio};
-use crate::reject::{Outcome, Rejection, Rule, require};
+use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::{basis, cosine};
 
 /// Elementary operations allowed for one file: some minutes.
-pub const WORK: u64 = 4_000_000_000;
+const WORK: u64 = 4_000_000_000;
 
-/// A second difference as an integer row: label (from 0) and coefficient.
+/// A second difference: labels (from 0) and coefficients.
 pub type Row = Vec<(usize, i64)>;
 
 /// The setting of a claim.
 pub struct Space {
-    /// The valence.
     pub n: usize,
-    /// n + 6.
+    /// n + 6, the number of points.
     pub size: usize,
-    /// The sum of the weights of the ring.
     pub beta: Beta,
     /// 3 + 8 beta.
     pub q: Polynomial,
@@ -49,32 +48,15 @@ impl Space {
             (None, Some((Number(lo), Number(hi)))) => cosine::enclose_beta(n, lo, hi),
             (None, None) => Err("an enclosure of cos(π/n) is missing".into()),
         };
-        let beta = beta.map_err(|why| Rejection::new(Rule::Cosine, why))?;
-        Ok(Self::with_beta(n, beta))
+        beta.map(|beta| Self::of(n, beta)).map_err(|why| Rejection::new(Rule::Cosine, why))
     }
 
-    /// The setting of valence n and a given beta.
-    pub fn with_beta(n: usize, beta: Beta) -> Self {
+    /// The setting of a valence and a beta.
+    pub fn of(n: usize, beta: Beta) -> Self {
         let rows: Vec<Row> = edges(n).into_iter().map(|(a, b)| row(n, a, b)).collect();
         let q = &Polynomial::integer(3) + &beta.value.scale(&ratio(8, 1));
         let rank = basis::rank(&rows, n + 6);
-        Self {
-            n,
-            size: n + 6,
-            beta,
-            q,
-            rows,
-            rank,
-            work: Cell::new(WORK),
-        }
-    }
-
-    /// The setting of one of the rational cases, without a file.
-    pub fn rational(weights: Weights, n: usize) -> Option<Self> {
-        Some(Self::with_beta(
-            n,
-            Beta::exact(&cosine::rational_beta(weights, n)?),
-        ))
+        Self { n, size: n + 6, beta, q, rows, rank, work: Cell::new(WORK) }
     }
 
     /// Takes this much off the work allowed.
@@ -85,45 +67,40 @@ impl Space {
     pub fn charge(&self, work: u64) -> Outcome<()> {
         let left = self.work.get().checked_sub(work);
         self.work.set(left.unwrap_or(0));
-        require(left.is_some(), Rule::Format, || {
-            "more work than the checker allows for one file".into()
-        })
+        ensure!(left.is_some(), Rule::Format, "more work than the checker allows for one file");
+        Ok(())
     }
 
     /// The polynomial that a value has over q.
     pub fn value(&self, value: &Value) -> Polynomial {
+        let horner =
+            |sum: Polynomial, c: &Number| &(&sum * &self.beta.value) + &Polynomial::constant(&c.0);
         match value {
             Value::Rational(r) => self.q.scale(&r.0),
-            Value::OverQ(list) => list.iter().rev().fold(Polynomial::integer(0), |sum, c| {
-                &(&sum * &self.beta.value) + &Polynomial::constant(&c.0)
-            }),
+            Value::OverQ(list) => list.iter().rev().fold(Polynomial::integer(0), horner),
         }
     }
 
-    /// True if `x / q <= y / q` for certain.
-    pub fn at_most(&self, x: &Polynomial, y: &Polynomial) -> bool {
-        x.is_at_most(y, &self.beta)
-    }
-
-    /// Requires `x / q <= y / q`; the rejection shows both.
+    /// Checks `x / q <= y / q`; the rejection shows both.
     ///
     /// # Errors
     ///
-    /// If and only if it is not certain.
-    pub fn require_at_most(
+    /// If and only if it is not certain: the rule given.
+    pub fn at_most(
         &self,
         x: &Polynomial,
         y: &Polynomial,
         rule: Rule,
-        what: impl FnOnce() -> String,
+        what: impl Display,
     ) -> Outcome<()> {
-        require(self.at_most(x, y), rule, || {
-            let (x, y) = contrast(&self.near(x), &self.near(y));
-            format!("{}: {x} is not shown to be at most {y}", what())
-        })
+        if (x - y).is_at_most_zero(&self.beta) {
+            return Ok(());
+        }
+        let (x, y) = contrast(&self.near(x), &self.near(y));
+        Err(Rejection::new(rule, format!("{what}: {x} is not shown to be at most {y}")))
     }
 
-    /// `x / q` at the middle of the enclosure of beta, for decimals.
+    /// `x / q` at the middle of the enclosure of beta: for decimals only.
     pub fn near(&self, x: &Polynomial) -> BigRational {
         let beta = self.beta.middle();
         x.at(&beta) / self.q.at(&beta)

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use crate::form::Form;
-use crate::net::{Net, Path, ring};
+use crate::net::{Net, Path, REGULAR};
 use crate::polynomial::Polynomial;
 use crate::rational::ratio;
 use crate::reject::Outcome;
@@ -55,20 +55,12 @@ fn label(net: &Net, corner: usize) -> usize {
 
 /// q times S at a corner of the face of a net.
 pub fn surface_corner(space: &Space, net: &Net, corner: usize) -> Form {
-    let label = label(net, corner);
-    let (centre, sum) = if corner == 0 && !net.regular {
-        (Polynomial::integer(3), space.beta.value.scale(&ratio(8, 1)))
-    } else {
-        (space.q.scale(&ratio(1, 2)), space.q.scale(&ratio(1, 2)))
-    };
-    let ring = ring(net.valence, label);
-    let share = sum.scale(&ratio(1, ring.len() as i64));
-    let terms: Vec<_> = ring
-        .iter()
-        .map(|&i| (&share, i))
-        .chain([(&centre, label)])
-        .collect();
-    net.sum(&terms)
+    if corner == 0 && !net.regular {
+        let share = space.beta.value.scale(&ratio(8, space.n as i64));
+        return net.star(1, &Polynomial::integer(3), &share);
+    }
+    let [centre, share] = [ratio(1, 2), ratio(1, 12)].map(|x| space.q.scale(&x));
+    net.star(label(net, corner), &centre, &share)
 }
 
 /// q times S's Bernstein coefficient `index` over a net of valence 6, less `Σ weight corner` of a mesh.
@@ -79,14 +71,8 @@ fn coefficient(
     mesh: &[Form; 3],
     [v, w]: &word::Point,
 ) -> Form {
-    let factors: Vec<_> = T[index]
-        .iter()
-        .map(|&c| space.q.scale(&ratio(c, 24)))
-        .collect();
-    let points = factors
-        .iter()
-        .enumerate()
-        .map(|(j, factor)| (factor, net.regular_point(j + 1)));
+    let factors: Vec<_> = T[index].iter().map(|&c| space.q.scale(&ratio(c, 24))).collect();
+    let points = factors.iter().enumerate().map(|(j, factor)| (factor, net.point(REGULAR[j])));
     let weights = barycentric(v, w).map(|x| Polynomial::constant(&-x));
     let terms: Vec<_> = points.chain(weights.iter().zip(mesh)).collect();
     Form::sum(space.size, &terms)
@@ -115,12 +101,9 @@ impl Target {
         w: &BigRational,
     ) -> Form {
         let [v, w] = Triangle::of(&word[self.level..]).point(v, w);
-        let weights = barycentric(&v, &w).map(|x| Polynomial::constant(&x));
         let corners = self.corners(space, &nets[self.level]);
-        Form::sum(
-            space.size,
-            &weights.iter().zip(&corners).collect::<Vec<_>>(),
-        )
+        let terms: Vec<_> = barycentric(&v, &w).into_iter().zip(&corners).collect();
+        Form::mix(space.size, &terms)
     }
 
     /// q times the fifteen Bernstein coefficients over a word of at least k letters whose net has valence 6.
@@ -137,9 +120,7 @@ impl Target {
         let quarter = |j: usize| ratio(j as i64, 4);
         let node = |[_, j, k]: [usize; 3]| part.point(&quarter(j), &quarter(k));
         let nodes = word::exponents(4).into_iter().map(node).enumerate();
-        Ok(nodes
-            .map(|(index, node)| coefficient(space, net, index, &mesh, &node))
-            .collect())
+        Ok(nodes.map(|(index, node)| coefficient(space, net, index, &mesh, &node)).collect())
     }
 
     /// q times the target at the point (v, w) of a word: any point of a regular one, the corner 0 of another.
@@ -156,20 +137,13 @@ impl Target {
         w: &BigRational,
     ) -> Outcome<Form> {
         if word::is_regular(word) {
-            let values: Vec<_> = word::bernstein(4, v, w)
-                .iter()
-                .map(Polynomial::constant)
-                .collect();
             let coefficients = self.coefficients(space, path, word)?;
-            return Ok(Form::sum(
-                space.size,
-                &values.iter().zip(&coefficients).collect::<Vec<_>>(),
-            ));
+            let values = word::bernstein(4, v, w).into_iter();
+            return Ok(Form::mix(space.size, &values.zip(&coefficients).collect::<Vec<_>>()));
         }
         let nets = path.along(word)?;
         let surface = surface_corner(space, &nets[word.len()], 0);
         let mesh = self.mesh_at(space, nets, word, v, w);
-        let (plus, minus) = (Polynomial::integer(1), Polynomial::integer(-1));
-        Ok(Form::sum(space.size, &[(&plus, &surface), (&minus, &mesh)]))
+        Ok(Form::mix(space.size, &[(ratio(1, 1), &surface), (ratio(-1, 1), &mesh)]))
     }
 }

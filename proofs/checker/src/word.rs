@@ -1,7 +1,7 @@
 //! Words: their mirror images, the triangles that they name, and the nodes of a quartic.
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero, pow};
 
 use crate::rational::ratio;
 
@@ -10,9 +10,7 @@ pub type Point = [BigRational; 2];
 
 /// The mirrored word.
 pub fn mirrored(word: &[u8]) -> Vec<u8> {
-    word.iter()
-        .map(|&letter| if letter % 2 == 1 { 4 - letter } else { letter })
-        .collect()
+    word.iter().map(|&letter| if letter % 2 == 1 { 4 - letter } else { letter }).collect()
 }
 
 /// True for a word with a letter other than 0.
@@ -57,6 +55,11 @@ pub fn exponents(degree: usize) -> Vec<[usize; 3]> {
     rows.map(|(row, k)| [degree - row, row - k, k]).collect()
 }
 
+/// True if (v, w) is in the parameter triangle.
+pub fn is_in_triangle(v: &BigRational, w: &BigRational) -> bool {
+    !v.is_negative() && !w.is_negative() && v + w <= BigRational::one()
+}
+
 /// The index of (i, j, k).
 pub fn index(j: usize, k: usize) -> usize {
     (j + k) * (j + k + 1) / 2 + k
@@ -67,11 +70,8 @@ pub fn bernstein(degree: usize, v: &BigRational, w: &BigRational) -> Vec<BigRati
     let u = BigRational::one() - v - w;
     let factorial = |m: usize| (1..=m as i64).product::<i64>();
     let term = |[i, j, k]: [usize; 3]| {
-        let count = factorial(degree) / (factorial(i) * factorial(j) * factorial(k));
-        ratio(count, 1)
-            * num_traits::pow(u.clone(), i)
-            * num_traits::pow(v.clone(), j)
-            * num_traits::pow(w.clone(), k)
+        let count = ratio(factorial(degree) / (factorial(i) * factorial(j) * factorial(k)), 1);
+        count * pow(u.clone(), i) * pow(v.clone(), j) * pow(w.clone(), k)
     };
     exponents(degree).into_iter().map(term).collect()
 }
@@ -85,16 +85,9 @@ mod tests {
         assert_eq!(exponents(4)[0], [4, 0, 0]);
         assert_eq!(exponents(4)[10], [0, 4, 0]);
         assert_eq!(exponents(4)[14], [0, 0, 4]);
-        assert!(
-            exponents(4)
-                .iter()
-                .enumerate()
-                .all(|(at, &[_, j, k])| index(j, k) == at)
-        );
+        assert!(exponents(4).iter().enumerate().all(|(at, &[_, j, k])| index(j, k) == at));
         assert_eq!(
-            bernstein(4, &ratio(1, 5), &ratio(2, 7))
-                .iter()
-                .sum::<BigRational>(),
+            bernstein(4, &ratio(1, 5), &ratio(2, 7)).iter().sum::<BigRational>(),
             ratio(1, 1)
         );
     }
@@ -108,11 +101,7 @@ mod tests {
         }
         assert_eq!(
             Triangle::of(&[0, 1]).0,
-            [
-                [ratio(1, 4), ratio(0, 1)],
-                [ratio(1, 2), ratio(0, 1)],
-                [ratio(1, 4), ratio(1, 4)]
-            ]
+            [[ratio(1, 4), ratio(0, 1)], [ratio(1, 2), ratio(0, 1)], [ratio(1, 4), ratio(1, 4)]]
         );
     }
 }
