@@ -101,7 +101,7 @@ impl Basis {
         ensure!(list.len() == rank, rule, "{} differences, but the rank is {rank}", list.len());
         let list: Vec<usize> = list.iter().map(|l| l - 1).collect();
         let rows: Vec<&Row> = list.iter().map(|&l| &space.rows[l]).collect();
-        space.charge(30 * (space.size * space.size) as u64)?;
+        space.charge(3 * (space.size * space.size) as u64)?;
         let elimination = eliminate(&rows, space.size);
         let found = elimination.pivots.len();
         ensure!(found == rank, rule, "the differences have the rank {found}, not {rank}");
@@ -153,8 +153,9 @@ impl Basis {
     ///
     /// If and only if the form is not in the span: rule `bases`; or the work allowed is used up.
     pub fn weight(&self, space: &Space, form: &Form) -> Outcome<Polynomial> {
-        let limbs = 2 + (form.den.bits() + self.den.bits()) / 64;
-        space.charge((self.length() + 4 * self.list.len() as u64) * form.width as u64 * limbs)?;
+        let (width, count) = (form.width as u64, self.list.len() as u64);
+        let limbs = form.limbs() + 1 + self.den.bits() / 64;
+        space.charge((self.length() + 4 * count) * width * limbs + 3 * count * width * width)?;
         let registers = self.solve(form);
         ensure!(
             self.solves(space, form, &registers),

@@ -1,6 +1,6 @@
 //! Coverings: the cells, their mirror images and the tail's word fill the whole, and none is superfluous.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::reject::{Outcome, Rule, ensure};
 use crate::word::{is_regular, mirrored};
@@ -21,7 +21,10 @@ pub fn check(whole: usize, tail: usize, cells: &[&[u8]]) -> Outcome<()> {
         places.insert(word.to_vec(), i);
         places.insert(image, i);
     }
-    let longest = cells.iter().map(|word| word.len()).fold(tail, usize::max);
+    let zeros = vec![0; tail];
+    let words = places.keys().chain([&zeros]);
+    let beginnings: HashSet<_> =
+        words.flat_map(|word| (0..word.len()).map(|i| &word[..i])).collect();
     let mut used = vec![false; cells.len()];
     let mut open = vec![vec![0; whole]];
     // Each word taken up is covered itself, or all four parts of it are put up.
@@ -33,7 +36,7 @@ pub fn check(whole: usize, tail: usize, cells: &[&[u8]]) -> Outcome<()> {
             used[i] = true;
             continue;
         }
-        ensure!(word.len() < longest, rule, "the word {} is not covered", text(&word));
+        ensure!(beginnings.contains(&word[..]), rule, "the word {} is not covered", text(&word));
         open.extend((0..4).map(|letter| [&word[..], &[letter]].concat()));
     }
     let idle = cells.iter().zip(used).find(|(_, used)| !used);

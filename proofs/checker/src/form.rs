@@ -58,15 +58,22 @@ impl Form {
         Self::sum(size, &terms)
     }
 
-    /// The value at a net: a polynomial in beta.
-    pub fn at(&self, net: &[BigRational]) -> Polynomial {
-        let terms = self.num.chunks(self.width).zip(net);
-        let value = |(c, y): (&[BigInt], _)| Polynomial::new(c.to_vec(), self.den.clone()).scale(y);
-        terms.map(value).fold(Polynomial::integer(0), |sum, term| &sum + &term)
+    /// The value at the net `net / den`: a polynomial in beta.
+    pub fn at(&self, net: &[BigInt], den: &BigInt) -> Polynomial {
+        let mut num = vec![BigInt::zero(); self.width];
+        for (c, y) in self.num.chunks(self.width).zip(net) {
+            num.iter_mut().zip(c).for_each(|(sum, c)| *sum += c * y);
+        }
+        Polynomial::new(num, den * &self.den)
+    }
+
+    /// The words of the longest number.
+    pub fn limbs(&self) -> u64 {
+        1 + self.num.iter().map(BigInt::bits).fold(self.den.bits(), u64::max) / 64
     }
 
     /// The elementary operations of one pass over the form, roughly.
     pub fn cost(&self) -> u64 {
-        self.num.len() as u64 * (1 + self.den.bits() / 64)
+        self.num.len() as u64 * self.limbs()
     }
 }

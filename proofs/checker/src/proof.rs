@@ -2,6 +2,8 @@
 
 use std::collections::HashSet;
 
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -21,6 +23,8 @@ use crate::word::{is_in_triangle, is_regular, mirrored};
 
 /// The most terms of all bases' programs together, for memory's sake.
 const TERMS: u64 = 1 << 24;
+/// The most bits of a net's common denominator.
+const NET_BITS: u64 = 1 << 16;
 const ORDER: &str = "the steps are not one attained, lemmas and one conclusion, in this order";
 
 /// A certificate with everything that its steps need.
@@ -139,7 +143,13 @@ impl<'a> Proof<'a> {
             let small = value <= BigRational::one();
             ensure!(small, rule, "second difference {}: {} > 1", l + 1, decimal(&value, 12));
         }
-        let reached = self.place(step)?.at(&net);
+        let mut den = BigInt::one();
+        for y in &net {
+            den = den.lcm(y.denom());
+            ensure!(den.bits() <= NET_BITS, Rule::Format, "the net's denominators are too large");
+        }
+        let net: Vec<BigInt> = net.iter().map(|y| y.numer() * (&den / y.denom())).collect();
+        let reached = self.place(step)?.at(&net, &den);
         space.at_most(&self.lower, &reached, rule, "the lower target and the net's value")
     }
 

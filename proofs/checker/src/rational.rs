@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 /// The most digits that a numerator or a denominator may have.
-pub const DIGITS: usize = 1000;
+pub const DIGITS: usize = 400;
 
 /// The rational `p / q` of two small integers, `q > 0`.
 pub fn ratio(p: i64, q: i64) -> BigRational {

@@ -154,7 +154,7 @@ impl Proof<'_> {
                 ensure!(count == given, rule, "{given} bases for {count} differences");
                 let factor = ending.factor.scale(&ratio(s, 1));
                 for (l, (difference, &cite)) in ending.differences.iter().zip(bases).enumerate() {
-                    space.charge(4 * difference.cost())?;
+                    space.charge(4 * difference.cost() * factor.num.len() as u64)?;
                     let form = Form::sum(space.size, &[(&one, form), (&factor, difference)]);
                     let weight = self.weight(cite, &form)?;
                     let name = format_args!("entry {c}, s = {s}, difference {}", l + 1);

@@ -13,8 +13,8 @@ use crate::rational::{contrast, ratio};
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::{basis, cosine};
 
-/// Elementary operations allowed for one file: some minutes.
-const WORK: u64 = 4_000_000_000;
+/// Elementary operations allowed for one file: a few minutes.
+const WORK: u64 = 20_000_000_000;
 
 /// A second difference: labels (from 0) and coefficients.
 pub type Row = Vec<(usize, i64)>;
