@@ -213,3 +213,80 @@ impl Basis {
         same && self.den.is_positive()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::net::Net;
+    use crate::polynomial::Beta;
+    use crate::rational::ratio;
+
+    const GOOD: [usize; 12] = [1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 14, 16];
+
+    fn space() -> Space {
+        Space::of(7, Beta::exact(&ratio(3, 8)))
+    }
+
+    #[test]
+    fn lists_that_are_no_bases() {
+        let space = space();
+        let refused =
+            |list: &[usize]| Basis::new(&space, list).map(|_| ()).unwrap_err().rule == Rule::Bases;
+        assert!(Basis::new(&space, &GOOD).is_ok());
+        let changed = |i: usize, l: usize| {
+            let mut list = GOOD;
+            list[i] = l;
+            refused(&list)
+        };
+        assert!(changed(11, 17) && changed(0, 0), "beyond the differences");
+        assert!(changed(1, 1) && changed(1, 4), "twice, and not increasing");
+        assert!(refused(&GOOD[1..]) && refused(&[]), "too few");
+        assert!(refused(&[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 14, 16]), "too many");
+        assert!(refused(&[1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 12, 15]), "dependent");
+        // Of the sets of nine at n = 6 some are bases and some are not.
+        let six = Space::of(6, Beta::exact(&ratio(3, 8)));
+        let sets = (0..1u32 << 15).filter(|set| set.count_ones() == 9).step_by(97);
+        let list = |set: u32| (1..=15).filter(|l| set >> (l - 1) & 1 == 1).collect::<Vec<usize>>();
+        let (mut independent, mut dependent) = (0, 0);
+        for set in sets {
+            let list = list(set);
+            let rows: Vec<_> = list.iter().map(|l| six.rows[l - 1].clone()).collect();
+            match (Basis::new(&six, &list), rank(&rows, 12)) {
+                (Ok(_), 9) => independent += 1,
+                (Err(_), 0..9) => dependent += 1,
+                other => panic!("{list:?}: {:?}", other.1),
+            }
+        }
+        assert!(independent > 0 && dependent > 0);
+    }
+
+    #[test]
+    fn weights_of_known_combinations() {
+        let space = space();
+        let differences = Net::first(&space).differences();
+        let basis = Basis::new(&space, &GOOD).unwrap();
+        // 2/3 alpha_5 - 3/4 alpha_9 + 1/5 alpha_16: the weight is 2/3 + 3/4 + 1/5.
+        let terms = [(ratio(2, 3), 5), (ratio(-3, 4), 9), (ratio(1, 5), 16)];
+        let terms: Vec<_> = terms.iter().map(|(c, l)| (c.clone(), &differences[l - 1])).collect();
+        let form = Form::mix(space.size, &terms);
+        let weight = basis.weight(&space, &form).unwrap();
+        assert!((&weight - &Polynomial::constant(&ratio(97, 60))).is_zero());
+        // A difference outside of the basis has some weight; a single point is not in the span.
+        assert!(basis.weight(&space, &differences[7]).is_ok());
+        let fault = basis.weight(&space, &Form::point(3, space.size)).unwrap_err();
+        assert_eq!(fault.rule, Rule::Bases);
+    }
+
+    #[test]
+    fn a_multiplier_of_unknown_sign_counts_with_its_magnitude() {
+        let space = Space::of(7, Beta::between(&ratio(1, 4), &ratio(1, 2)));
+        let differences = Net::first(&space).differences();
+        let basis = Basis::new(&space, &GOOD).unwrap();
+        // beta alpha_5 - (3/8 - beta) alpha_6: the second is within 1/8, of either sign.
+        let (first, second) =
+            (space.beta.value.clone(), &space.beta.value - &Polynomial::constant(&ratio(3, 8)));
+        let form = Form::sum(space.size, &[(&first, &differences[4]), (&second, &differences[5])]);
+        let weight = basis.weight(&space, &form).unwrap();
+        assert!((&weight - &(&first + &Polynomial::constant(&ratio(1, 8)))).is_zero());
+    }
+}
