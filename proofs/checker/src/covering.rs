@@ -5,6 +5,9 @@ use std::collections::{HashMap, HashSet};
 use crate::reject::{Outcome, Rule, ensure};
 use crate::word::{is_regular, mirrored};
 
+/// The most cells of a step.
+const CELLS: usize = 1 << 16;
+
 /// Shows that the cells cover the word of `whole` zeros, the word of `tail >= whole` zeros apart.
 ///
 /// # Errors
@@ -12,6 +15,7 @@ use crate::word::{is_regular, mirrored};
 /// If and only if they do not, or a cell takes no part: rule `covering`.
 pub fn check(whole: usize, tail: usize, cells: &[&[u8]]) -> Outcome<()> {
     let rule = Rule::Covering;
+    ensure!(cells.len() <= CELLS, Rule::Format, "more than {CELLS} cells in a step");
     let mut places = HashMap::new();
     for (i, &word) in cells.iter().enumerate() {
         ensure!(is_regular(word), rule, "cell {}: a word of zeros only", text(word));
