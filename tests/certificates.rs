@@ -59,7 +59,7 @@ fn rejected_files_are_rejected_by_the_rule_in_their_name() {
     for path in &paths {
         let rejection = check(&fs::read(path).expect("a file")).outcome;
         let rejection = rejection.expect_err(&stem(path));
-        let rule = rejection.rule.to_string();
+        let rule = rejection.rule.name().to_string();
         assert!(
             stem(path).starts_with(&format!("{rule}-")),
             "{} was rejected by rule {rule}: {rejection:?}",

@@ -133,7 +133,18 @@ fn certificates_are_written_one_for_each_row_and_the_same_every_time() {
 #[test]
 fn what_makes_no_sense_is_refused_in_one_sentence() {
     let loop_ = ["--scheme", "loop"];
-    let cases: [&[&str]; 7] = [
+    let with_corner = [
+        "bound",
+        "control",
+        "--valence",
+        "5",
+        "--corner",
+        "sharp",
+        "--scheme",
+        "loop",
+    ];
+    let cases: [&[&str]; 8] = [
+        &with_corner,
         &[
             "bound",
             "control",

@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use num_traits::Zero;
+
 use super::cell::By;
 use super::constant::{At, Conclusion, Constant, Lemma, Proof};
 use super::nets::Against;
@@ -186,6 +188,9 @@ impl Prover {
 
     /// A value in powers of β, over q.
     fn number(&self, value: &Value) -> Number {
+        if value.is_zero() {
+            return Number::Rational("0".into());
+        }
         let coefficients = value.ring_sum_coefficients(self.valence());
         Number::OverQ(coefficients.iter().map(Rational::to_string).collect())
     }

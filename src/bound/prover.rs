@@ -39,6 +39,11 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    /// Whether its net is that of another basis.
+    fn has_net(&self, basis: &Basis, scaled_net: &[i64]) -> bool {
+        self.basis.determinant() == basis.determinant() && self.scaled_net == scaled_net
+    }
+
     /// The dual net.
     pub fn net_rationals(&self) -> Vec<Rational> {
         self.basis.net(&self.scaled_net)
@@ -138,8 +143,8 @@ impl Prover {
         };
         let (basis, scaled_net) = self.rows.propose(&t.0, from)?;
         let index = match self.known.get(&basis.rows()) {
-            // The same rows with other signs of zeros: another net.
-            Some(&known) if self.candidates[known].scaled_net == scaled_net => known,
+            // The same rows with other signs of zeros make another net.
+            Some(&known) if self.candidates[known].has_net(&basis, &scaled_net) => known,
             _ => {
                 let determinant = basis.determinant() as f64;
                 let float =

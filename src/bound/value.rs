@@ -35,6 +35,15 @@ impl Value {
         Self::new(vec![over(3), over(8 * i64::from(n))])
     }
 
+    /// r, if the numerator is r q identically.
+    fn to_rational(&self, n: u32) -> Option<Rational> {
+        let r = match self.0.first() {
+            None => Rational::zero(),
+            Some(constant) => constant / <Rational as Ring>::from_integer(3),
+        };
+        (Self::rational(n, &r) == *self).then_some(r)
+    }
+
     /// The coefficients in powers of β = n b.
     pub fn ring_sum_coefficients(&self, n: u32) -> Vec<Rational> {
         let n = <Rational as Ring>::from_integer(i64::from(n));
@@ -214,8 +223,11 @@ impl RingWeight {
         matches!(self.compare(a, b), Some(Ordering::Less | Ordering::Equal))
     }
 
-    /// An enclosure of a value by `f64`.
+    /// An enclosure of a value by `f64`; the tightest one for rationals.
     pub fn enclose(&self, value: &Value) -> Interval {
+        if let Some(r) = value.to_rational(self.n) {
+            return Interval::from_rational(&r);
+        }
         let (inf, sup) = self.fine_range(value.coefficients());
         let (q_inf, q_sup) = self.fine_range(&[
             <Rational as Ring>::from_integer(3),

@@ -112,6 +112,11 @@ impl Bound {
                 scheme.name()
             );
         };
+        if self.scheme.corner.is_some() {
+            bail!(
+                "--corner has no meaning for bound constants, which are about interior faces: leave it out"
+            );
+        }
         let constants = self.constants()?;
         let valences: Vec<u32> = (self.valence.first..=self.valence.last).collect();
         if self.valence.first < 3 || self.valence.last > LARGEST_VALENCE {

@@ -125,11 +125,17 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Relative size of the perturbation.
 const PERTURBATION: f64 = 1e-8;
 
+/// Functionals below this are rounding errors of functionals of size 1; the perturbation is then as
+/// that of one of size 1e-6.
+const NEGLIGIBLE: f64 = 1e-12;
+
 /// As [`solve`] in `f64`, for t + a small combination of the rows: the most violated row enters, and
 /// the step goes on over sign changes while the sum still falls.
 pub(super) fn propose(rows: &Rows, t: &[f64], from: &Basis) -> Option<(Basis, Vec<i64>)> {
     let size = rows.size();
-    let scale = t.iter().fold(0f64, |m, x| m.max(x.abs())) * PERTURBATION;
+    let largest = t.iter().fold(0f64, |m, x| m.max(x.abs()));
+    // A functional that is 0 but for rounding would leave only rounding to decide: it could cycle.
+    let scale = PERTURBATION * if largest < NEGLIGIBLE { 1e-6 } else { largest };
     let mut t = t.to_vec();
     for (l, row) in rows.rows().iter().enumerate() {
         let weight = scale * (0.5 + ((l + 1) as f64 * GOLDEN).fract());
