@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::form::Form;
-use crate::polynomial::Polynomial;
+use crate::polynomial::{Polynomial, add_product};
 use crate::reject::{Outcome, Rule, ensure};
 use crate::space::{Row, Space};
 
@@ -47,8 +47,8 @@ struct Elimination {
 fn eliminate(rows: &[&Row], size: usize) -> Elimination {
     let mut equations = vec![Equation::new(); size];
     for (l, row) in rows.iter().enumerate() {
-        for &(i, c) in *row {
-            equations[i].insert(l, BigRational::from_integer(c.into()));
+        for (i, c) in *row {
+            equations[*i].insert(l, BigRational::from_integer(c.clone()));
         }
     }
     let (mut pivots, mut steps) = (Vec::new(), Vec::new());
@@ -190,10 +190,8 @@ impl Basis {
                 result.iter_mut().for_each(|x| *x *= own);
             }
             for (factor, from) in terms {
-                let from = registers[*from].iter();
-                for (x, y) in result.iter_mut().zip(from).filter(|(_, y)| !y.is_zero()) {
-                    *x += factor * y;
-                }
+                let both = result.iter_mut().zip(&registers[*from]);
+                both.for_each(|(x, y)| add_product(x, factor, y));
             }
             registers[*to] = result;
         }
@@ -204,9 +202,9 @@ impl Basis {
     fn solves(&self, space: &Space, form: &Form, registers: &[Vec<BigInt>]) -> bool {
         let mut sums = vec![BigInt::zero(); form.num.len()];
         for (&l, &place) in self.list.iter().zip(&self.place) {
-            for &(i, c) in &space.rows[l] {
-                let at = sums[i * form.width..].iter_mut();
-                at.zip(&registers[place]).for_each(|(sum, x)| *sum += x * c);
+            for (i, c) in &space.rows[l] {
+                let at = sums[*i * form.width..].iter_mut();
+                at.zip(&registers[place]).for_each(|(sum, x)| add_product(sum, c, x));
             }
         }
         let same = sums.iter().zip(&form.num).all(|(sum, x)| *sum == x * &self.den);

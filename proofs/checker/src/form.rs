@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use crate::polynomial::Polynomial;
+use crate::polynomial::{Polynomial, add_product};
 
 /// `Σ_i y_i Σ_k num[i width + k] beta^k / den`, i from 0.
 #[derive(Clone, Debug)]
@@ -41,10 +41,8 @@ impl Form {
             for (k, c) in p.num.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
                 let factor = c * &scale;
                 for (sums, numbers) in num.chunks_mut(width).zip(f.num.chunks(f.width)) {
-                    for (sum, x) in sums[k..].iter_mut().zip(numbers).filter(|(_, x)| !x.is_zero())
-                    {
-                        *sum += &factor * x;
-                    }
+                    let both = sums[k..].iter_mut().zip(numbers);
+                    both.for_each(|(sum, x)| add_product(sum, &factor, x));
                 }
             }
         }

@@ -6,6 +6,11 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use subcert_check::Verdict;
 
 const HELP: &str = "\
 Checks certificates with integers and rationals only. The format is proofs/FORMAT.md.
@@ -44,36 +49,45 @@ fn run() -> io::Result<ExitCode> {
         eprintln!("subcert-check: there is no option {}; --help tells the usage", option.display());
         return Ok(ExitCode::from(2));
     }
-    let (mut files, mut unreadable) = (Vec::new(), 0);
+    let (mut files, mut verified, mut rejected, mut unreadable) = (Vec::new(), 0, 0, 0);
     for argument in &arguments {
         if let Err(error) = collect(argument, &mut files) {
             eprintln!("subcert-check: {}: {error}", argument.display());
             unreadable += 1;
         }
     }
-    let (mut verified, mut rejected) = (0, 0);
-    for file in &files {
-        let bytes = match read(file) {
-            Ok(bytes) => bytes,
-            Err(error) => {
-                eprintln!("subcert-check: {}: {error}", file.display());
-                unreadable += 1;
-                continue;
-            }
-        };
-        let verdict = subcert_check::check(&bytes);
-        let claim = verdict.claim.map(|claim| claim + ": ").unwrap_or_default();
-        match verdict.outcome {
-            Ok(()) => {
-                writeln!(out, "{}: {claim}verified", file.display())?;
-                verified += 1;
-            }
-            Err(rejection) => {
-                writeln!(out, "{}: {claim}{rejection}", file.display())?;
-                rejected += 1;
+    // Each thread takes the next file that none has taken; the verdicts are printed in order.
+    let files: Vec<_> = files.into_iter().map(|file| (file, OnceLock::new())).collect();
+    let next = AtomicUsize::new(0);
+    let work = || {
+        while let Some((file, verdict)) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let _ = verdict.set(read(file).map(|bytes| subcert_check::check(&bytes)));
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, Into::into).min(files.len()) {
+            scope.spawn(work);
+        }
+        for (file, verdict) in &files {
+            let name = file.display();
+            match verdict.wait() {
+                Err(error) => {
+                    eprintln!("subcert-check: {name}: {error}");
+                    unreadable += 1;
+                }
+                Ok(Verdict { claim, outcome }) => {
+                    let claim =
+                        claim.as_ref().map(|claim| format!("{claim}: ")).unwrap_or_default();
+                    match outcome {
+                        Ok(()) => writeln!(out, "{name}: {claim}verified")?,
+                        Err(rejection) => writeln!(out, "{name}: {claim}{rejection}")?,
+                    }
+                    *if outcome.is_ok() { &mut verified } else { &mut rejected } += 1;
+                }
             }
         }
-    }
+        Ok::<(), io::Error>(())
+    })?;
     if files.is_empty() && unreadable == 0 {
         eprintln!("subcert-check: no certificate: name files or folders; --help tells the usage");
     }

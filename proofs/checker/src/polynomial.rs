@@ -62,8 +62,8 @@ impl Polynomial {
         for (k, c) in coefficients.enumerate() {
             // [low, high] beta + c, with beta > 0 and everything scaled by 2^(BITS (k + 1)).
             let c = c << (BITS * (k + 1));
-            low = low.clone() * if low.is_negative() { &beta.high } else { &beta.low } + &c;
-            high = high.clone() * if high.is_negative() { &beta.low } else { &beta.high } + &c;
+            low = &low * if low.is_negative() { &beta.high } else { &beta.low } + &c;
+            high = &high * if high.is_negative() { &beta.low } else { &beta.high } + &c;
         }
         (low, high)
     }
@@ -117,12 +117,8 @@ impl Polynomial {
         let den = self.den.lcm(&other.den);
         let (a, b) = (&den / &self.den, &den / &other.den * sign);
         let mut num = vec![BigInt::zero(); self.num.len().max(other.num.len())];
-        for (sum, c) in num.iter_mut().zip(&self.num) {
-            *sum += c * &a;
-        }
-        for (sum, c) in num.iter_mut().zip(&other.num) {
-            *sum += c * &b;
-        }
+        num.iter_mut().zip(&self.num).for_each(|(sum, c)| add_product(sum, &a, c));
+        num.iter_mut().zip(&other.num).for_each(|(sum, c)| add_product(sum, &b, c));
         Self::new(num, den)
     }
 }
@@ -153,6 +149,16 @@ impl Mul for &Polynomial {
             }
         }
         Polynomial::new(num, &self.den * &other.den)
+    }
+}
+
+/// `sum += factor x`, without a product where the factor is 1 or -1.
+pub fn add_product(sum: &mut BigInt, factor: &BigInt, x: &BigInt) {
+    match (x.is_zero(), factor.magnitude().is_one(), factor.sign()) {
+        (true, ..) => (),
+        (_, true, Sign::Minus) => *sum -= x,
+        (_, true, _) => *sum += x,
+        _ => *sum += factor * x,
     }
 }
 

@@ -35,12 +35,9 @@ struct Ending<'a> {
     bound: &'a Polynomial,
 }
 
-fn is_hull((_, _, by): &Cell) -> bool {
-    matches!(by, By::Alone(Name::Hull))
-}
-
-fn is_regular((_, _, by): &Cell) -> bool {
-    matches!(by, By::Alone(Name::Regular))
+/// True for a cell that is shown in the way with this name alone.
+fn is_shown_by((_, _, by): &Cell, name: Name) -> bool {
+    matches!(by, By::Alone(found) if *found == name)
 }
 
 impl Proof<'_> {
@@ -56,7 +53,7 @@ impl Proof<'_> {
         let (zero, one) = (BigRational::zero(), BigRational::one());
         let corner = match (step.order, step.corner) {
             (0, None) => None,
-            (1, Some(cite)) if step.cells.iter().all(is_hull) => {
+            (1, Some(cite)) if step.cells.iter().all(|cell| is_shown_by(cell, Name::Hull)) => {
                 let form = target.at_point(space, &mut path, &[], &zero, &zero)?;
                 space.at_most(&self.weight(cite, &form)?, bound, rule, "the corner's weight")?;
                 Some(form)
@@ -100,10 +97,10 @@ impl Proof<'_> {
         if rule == Rule::Tiles {
             let whole = |cell: &Cell| is_tile(&cell.0.0);
             ensure!(step.cells.iter().all(whole), rule, "a cell is not a whole tile");
-            let hulls = lemma.cells.iter().all(|cell| whole(cell) && is_hull(cell));
+            let hulls = lemma.cells.iter().all(|cell| whole(cell) && is_shown_by(cell, Name::Hull));
             ensure!(hulls, rule, "a cell of the lemma is not the hull of a whole tile");
         }
-        let long = |cell: &Cell| cell.0.0.len() >= claim.level || is_regular(cell);
+        let long = |cell: &Cell| cell.0.0.len() >= claim.level || is_shown_by(cell, Name::Regular);
         ensure!(step.cells.iter().all(long), rule, "a cell's word has fewer letters than levels");
         let tail = step.steps + lemma.depth;
         self.cells(&step.cells, &Region { depth: 0, tail, target, corner: None, bound })?;
@@ -139,7 +136,7 @@ impl Proof<'_> {
     }
 
     fn cell(&self, cell: &Cell, region: &Region, path: &mut Path) -> Outcome<()> {
-        if is_regular(cell) {
+        if is_shown_by(cell, Name::Regular) {
             return self.regular(cell, region, path);
         }
         let (Word(word), bases, by) = cell;
@@ -164,7 +161,8 @@ impl Proof<'_> {
         cells::check(self.space, &weights.collect::<Outcome<Vec<_>>>()?, region.bound, by, 0)
     }
 
-    /// `f 4^-d` times the second differences of the word's net, d levels above F_k, bounds S - F_k.
+    /// `f 4^-d` times the second differences of the word's net, F_k being d levels below it, bounds
+    /// S - F_k.
     fn regular(
         &self,
         (Word(word), bases, _): &Cell,

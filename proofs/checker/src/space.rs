@@ -4,7 +4,9 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use crate::file::{File, Number, Value};
 use crate::net::{edges, opposite};
@@ -17,7 +19,7 @@ use crate::{basis, cosine};
 const WORK: u64 = 20_000_000_000;
 
 /// A second difference: labels (from 0) and coefficients.
-pub type Row = Vec<(usize, i64)>;
+pub type Row = Vec<(usize, BigInt)>;
 
 /// The setting of a claim.
 pub struct Space {
@@ -112,7 +114,7 @@ fn row(n: usize, a: usize, b: usize) -> Row {
     let [c, d] = opposite(n, a, b);
     let mut sums = BTreeMap::new();
     for (label, sign) in [(a, 1), (b, 1), (c, -1), (d, -1)] {
-        *sums.entry(label - 1).or_insert(0) += sign;
+        *sums.entry(label - 1).or_insert_with(BigInt::zero) += sign;
     }
-    sums.into_iter().filter(|&(_, c)| c != 0).collect()
+    sums.into_iter().filter(|(_, c)| !c.is_zero()).collect()
 }

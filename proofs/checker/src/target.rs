@@ -62,10 +62,10 @@ pub fn surface_corner(space: &Space, net: &Net, corner: usize) -> Form {
     net.star(label(net, corner), &centre, &share)
 }
 
-/// q times the Bernstein coefficients of S over a net of valence 6.
-pub fn surface(space: &Space, net: &Net) -> Vec<Form> {
+/// The Bernstein coefficients of S over a net of valence 6.
+pub fn surface(net: &Net) -> Vec<Form> {
     let coefficient = |row: &[i64; 12]| {
-        let factors = row.map(|c| space.q.scale(&ratio(c, 24)));
+        let factors = row.map(|c| Polynomial::constant(&ratio(c, 24)));
         net.sum(&factors.iter().zip(REGULAR).collect::<Vec<_>>())
     };
     T.iter().map(coefficient).collect()
@@ -108,10 +108,12 @@ impl Target {
         let part = Triangle::of(&word[self.level..]);
         let rest = |([_, j, k], surface): ([usize; 3], Form)| {
             let [v, w] = part.point(&ratio(j as i64, 4), &ratio(k as i64, 4));
-            let mesh = barycentric(&v, &w).into_iter().map(|x| -x).zip(&corners);
-            Form::mix(space.size, &mesh.chain([(ratio(1, 1), &surface)]).collect::<Vec<_>>())
+            let [a, b, c] = barycentric(&v, &w).map(|x| Polynomial::constant(&-x));
+            let [at_a, at_b, at_c] = &corners;
+            let terms = [(&space.q, &surface), (&a, at_a), (&b, at_b), (&c, at_c)];
+            Form::sum(space.size, &terms)
         };
-        Ok(word::exponents(4).into_iter().zip(surface(space, net)).map(rest).collect())
+        Ok(word::exponents(4).into_iter().zip(surface(net)).map(rest).collect())
     }
 
     /// q times the target at the point (v, w) of a word: any point of a regular one, the corner 0 of another.
@@ -164,9 +166,9 @@ mod tests {
         // T, the masks of valence 6, the tiles and the corners of the parts, all at once.
         let space = space(5);
         let net = Net::first(&space).child(1);
-        let whole = surface(&space, &net);
+        let whole = surface(&net);
         for letter in 0..4 {
-            let part = surface(&space, &net.child(letter));
+            let part = surface(&net.child(letter));
             for [_, j, k] in word::exponents(4) {
                 let (v, w) = (ratio(j as i64, 4), ratio(k as i64, 4));
                 let [x, y] = Triangle::of(&[letter]).point(&v, &w);
@@ -183,7 +185,7 @@ mod tests {
             let at = |word: &[u8], v: &BigRational, w: &BigRational| {
                 let mut path = Path::new(&space);
                 let net = path.along(word).unwrap()[word.len()].clone();
-                (Triangle::of(word).point(v, w), value(&space, &surface(&space, &net), v, w))
+                (Triangle::of(word).point(v, w), value(&space, &surface(&net), v, w))
             };
             for t in (0..=4).map(|i| ratio(i, 4)) {
                 let (zero, back, half) = (ratio(0, 1), ratio(1, 1) - &t, &t / ratio(2, 1));
@@ -209,13 +211,14 @@ mod tests {
             let space = space(n);
             let net = Net::first(&space);
             let zero = net.child(0);
-            let [first, third] = [1, 3].map(|letter| surface(&space, &net.child(letter)));
+            let [first, third] = [1, 3].map(|letter| surface(&net.child(letter)));
             let corner = |net, c| surface_corner(&space, net, c);
+            let over = |form: &Form| Form::sum(space.size, &[(&space.q, form)]);
             assert_same(&corner(&net, 0), &corner(&zero, 0), "the extraordinary point");
-            assert_same(&corner(&net, 1), &first[10], "corner 1 of the face");
-            assert_same(&corner(&net, 2), &third[14], "corner 2 of the face");
-            assert_same(&corner(&zero, 1), &first[0], "corner 1 of the word 0");
-            assert_same(&corner(&net.child(2), 0), &first[14], "a corner of a regular word");
+            assert_same(&corner(&net, 1), &over(&first[10]), "corner 1 of the face");
+            assert_same(&corner(&net, 2), &over(&third[14]), "corner 2 of the face");
+            assert_same(&corner(&zero, 1), &over(&first[0]), "corner 1 of the word 0");
+            assert_same(&corner(&net.child(2), 0), &over(&first[14]), "a corner of a regular word");
         }
     }
 

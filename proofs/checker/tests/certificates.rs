@@ -45,7 +45,7 @@ fn changed(name: &str, changes: &[(&str, Value)]) -> String {
 #[test]
 fn certificates_are_verified() {
     let names = names();
-    assert_eq!(names.len(), 14);
+    assert_eq!(names.len(), 21);
     for name in names {
         let verdict = check(read(&name).as_bytes());
         assert!(verdict.outcome.is_ok(), "{name}: {:?}", verdict.outcome);
@@ -64,6 +64,11 @@ fn claims_say_what_is_known_by_hand() {
         ("coefficient-original-6-4", "5/12"),
         ("limit-original-6-0", "1/3"),
         ("control-original-3-0", "3/5"),
+        // At valence 6 both fall by 4 per level.
+        ("control-warren-6-2", "1/32"),
+        ("limit-warren-6-2", "1/48"),
+        // On these and on limit-original-6-0 the rule `cell-regular` rests.
+        ("mesh-rate-original-6-1", "1/4"),
     ] {
         let told = [
             ("/claim/lo", json!(exact)),
@@ -71,7 +76,7 @@ fn claims_say_what_is_known_by_hand() {
             ("/claim/exact", json!(exact)),
         ];
         assert_eq!(verdict(&changed(name, &told)), "verified", "{name}");
-        let claim = check(read(name).as_bytes()).claim.unwrap();
+        let claim = check(changed(name, &told).as_bytes()).claim.unwrap();
         assert!(claim.contains(&format!("exactly {exact}")), "{claim}");
     }
 }
@@ -91,6 +96,10 @@ fn bounds_beyond_the_truth_are_rejected() {
         ("control-original-5-0", "5285/10000", "5286/10000", "tail"),
         ("limit-original-6-0", "3333/10000", "3334/10000", "cell-hull"),
         ("limit-original-8-0", "3319/10000", "3331/10000", "cell-edge"),
+        ("limit-warren-8-2", "616/10000", "617/10000", "cell-edge"),
+        ("control-warren-5-3", "180/10000", "181/10000", "cell-edge"),
+        ("beta-warren-4", "3342/10000", "3343/10000", "cell-concave"),
+        ("beta-original-7", "3295/10000", "3296/10000", "cell-concave"),
     ] {
         let number = |text: &str| {
             let (p, q) = text.split_once('/').unwrap();
@@ -108,7 +117,8 @@ fn bounds_beyond_the_truth_are_rejected() {
             verdict(&changed(name, &changes))
         };
         let found = (with(&json!("0"), &below), with(&above, &json!("1")));
-        assert_eq!(found, (rule, "attained"), "{name}");
+        let attained = if name.starts_with("beta") { "attained-tile" } else { "attained" };
+        assert_eq!(found, (rule, attained), "{name}");
         assert_eq!(with(&below, &json!("1")), "verified", "{name}");
     }
 }
@@ -137,7 +147,7 @@ fn what_is_changed_is_rejected_by_its_rule() {
         ("format", rate, "/claim/valence", json!(2)),
         ("format", rate, "/claim/valence", json!(401)),
         ("format", rate, "/claim/valence", json!(6.5)),
-        ("format", rate, "/claim/level", json!(9)),
+        ("format", rate, "/claim/level", json!(25)),
         ("format", rate, "/claim/level", json!(-1)),
         ("format", rate, "/claim/lo", json!(0.25)),
         ("format", rate, "/claim/lo", json!("2/8")),
@@ -234,6 +244,103 @@ fn what_is_changed_is_rejected_by_its_rule() {
     ] {
         let found = verdict(&changed(name, &[(pointer, value.clone())]));
         assert_eq!(found, rule, "{name} {pointer} {value}");
+    }
+}
+
+#[test]
+fn what_is_changed_in_tiles_and_cells_is_rejected_by_its_rule() {
+    let (tiles, regular, rate) = ("beta-warren-4", "limit-warren-8-2", "rate-original-6-1");
+    let (control, corner) = ("control-original-6-0", "control-original-5-0");
+    // Cells 1 and 2 of `tiles` are the tiles 2 and 01, in four quarters and by the hull.
+    let quarter = |i: usize| format!("/steps/2/cells/1/2/1/{i}");
+    let (hull, concave) = (quarter(0), quarter(2));
+    let nested = |splits| {
+        (0..splits).fold(json!("hull"), |by, _| json!(["split", [by, "hull", "hull", "hull"]]))
+    };
+    let tile = json!({"rule": "attained-tile", "word": "1", "nets": [], "v": "0", "w": "0"});
+    let listed = |word: &str, by: &str| json!([word, vec![5; 15], by]);
+    for (rule, name, pointer, value) in [
+        ("verified", tiles, "/steps/2/cells/2/2", nested(12)),
+        ("cell-split", tiles, "/steps/2/cells/2/2", nested(13)),
+        ("format", tiles, "/steps/2/cells/2/2", json!("split")),
+        ("format", tiles, "/steps/2/cells/2/2", json!(["split", ["hull", "hull", "hull"]])),
+        ("format", tiles, "/steps/2/cells/2/2", json!(["split", vec!["hull"; 5]])),
+        ("format", tiles, "/steps/2/cells/2/2", json!(["split", "hull", "hull", "hull", "hull"])),
+        ("format", tiles, "/steps/2/cells/2/2", json!(["hull", vec!["hull"; 4]])),
+        ("format", tiles, &hull, json!(["split", 1, "1/2"])),
+        ("format", tiles, "/steps/2/cells/2/1", json!(vec![4; 14])),
+        ("format", tiles, "/steps/2/cells/2/1", json!(vec![4; 16])),
+        ("format", tiles, "/steps/2/cells/2/1", json!(vec!["4"; 15])),
+        ("format", tiles, "/steps/0/extra", json!(1)),
+        ("format", tiles, "/steps/0/nets/0/0", json!(1)),
+        ("format", tiles, "/steps/2/extra", json!(1)),
+        ("format", tiles, "/steps/1", tile.clone()),
+        ("bases", tiles, "/steps/2/cells/2/1/14", json!(99)),
+        ("claim", tiles, "/claim/level", json!(1)),
+        ("claim", tiles, "/claim/kind", json!("limit")),
+        ("claim", tiles, "/steps/0", json!({"rule": "attained", "net": [], "at": null})),
+        ("claim", tiles, "/steps/2/rule", json!("cover")),
+        ("claim", control, "/steps/0", tile.clone()),
+        ("claim", rate, "/steps/0", tile),
+        ("attained-tile", tiles, "/steps/0/nets", json!([])),
+        ("attained-tile", tiles, "/steps/0/nets/14", json!(["0"])),
+        ("attained-tile", tiles, "/steps/0/nets/4", json!(vec!["0"; 10])),
+        ("attained-tile", tiles, "/steps/0/nets/4/0", json!("9")),
+        ("attained-tile", tiles, "/steps/0/word", json!("")),
+        ("attained-tile", tiles, "/steps/0/word", json!("0")),
+        ("attained-tile", tiles, "/steps/0/word", json!("22")),
+        ("attained-tile", tiles, "/steps/0/word", json!("20")),
+        ("attained-tile", tiles, "/steps/0/word", json!("1")),
+        ("attained-tile", tiles, "/steps/0/v", json!("1")),
+        ("attained-tile", tiles, "/steps/0/v", json!("-1/3")),
+        ("attained-tile", tiles, "/steps/0/v", json!("1/3")),
+        ("tiles", tiles, "/steps/2/lemma", json!(0)),
+        ("tiles", tiles, "/steps/2/lemma", json!(2)),
+        ("tiles", tiles, "/steps/2/steps", json!(41)),
+        ("tiles", tiles, "/steps/2/cells/0/0", json!("12")),
+        ("tiles", tiles, "/steps/2/cells/0/0", json!("")),
+        ("tiles", tiles, "/steps/2/cells/0/0", json!("0")),
+        ("tiles", tiles, "/steps/1/cells/0/2", nested(1)),
+        ("covering", tiles, "/steps/2/steps", json!(3)),
+        ("covering", tiles, "/steps/2/cells/0/0", json!("2")),
+        ("covering", tiles, "/steps/2/cells/0/0", json!("0001")),
+        ("tail", tiles, "/steps/2/tail/1/1", json!([0])),
+        ("cell-hull", tiles, &concave, json!("hull")),
+        ("cell-hull", tiles, "/steps/2/cells/1/2", json!("hull")),
+        ("cell-edge", tiles, "/steps/2/cells/1/2", json!(["edge", 2, "1/2"])),
+        ("cell-concave", tiles, &concave, json!(["concave", "1/2", "1/4"])),
+        ("cell-regular", tiles, &hull, json!("regular")),
+        ("cell-regular", tiles, "/steps/2/cells/2/2", json!("regular")),
+        ("cell-regular", tiles, "/steps/1/cells/0", listed("1", "regular")),
+        ("lemma", corner, "/steps/1/cells/0/2", json!("regular")),
+        ("lemma", corner, "/steps/1/cells/0/2", nested(1)),
+        ("cell-regular", regular, "/steps/2/cells/0/1", json!(5)),
+        ("cell-regular", regular, "/steps/2/cells/3", listed("02", "regular")),
+        ("cell-regular", regular, "/steps/2/cells/3/2", json!("regular")),
+        ("cell-regular", regular, "/steps/2/cells/5", listed("002", "regular")),
+        ("cell-regular", regular, "/steps/2/cells/0/1", json!(vec![3; 15])),
+        ("cover", regular, "/steps/2/cells/0/2", json!("hull")),
+        ("covering", regular, "/steps/2/cells/0/0", json!("10")),
+        ("format", regular, "/steps/2/cells/0/2", json!(["regular"])),
+    ] {
+        let found = verdict(&changed(name, &[(pointer, value.clone())]));
+        assert_eq!(found, rule, "{name} {pointer} {value}");
+    }
+    // The lemma's cells are hulls, but of parts of a tile.
+    let file: Value = serde_json::from_str(&read(tiles)).unwrap();
+    let parts = ["10", "11", "12", "13"].map(|word| json!([word, 0, "hull"]));
+    let cells = [&parts[..], &file["steps"][1]["cells"].as_array().unwrap()[1..]].concat();
+    assert_eq!(verdict(&changed(tiles, &[("/steps/1/cells", json!(cells))])), "tiles");
+}
+
+#[test]
+fn a_regular_cell_has_the_factors_of_its_kind() {
+    // In basis 0 the second difference of the word 1 has the weight 3/8; k - |w| = 1.
+    for (name, shown) in [("control-warren-6-2", "0.046875"), ("limit-warren-6-2", "0.03125")] {
+        let text = changed(name, &[("/steps/2/cells/0/1", json!(vec![0; 15]))]);
+        let why = check(text.as_bytes()).outcome.unwrap_err().to_string();
+        let expected = format!("rule cell-regular: cell \"1\": difference 2: {shown} is not");
+        assert!(why.contains(&expected), "{why}");
     }
 }
 
