@@ -131,7 +131,7 @@ fn rejected(folder: &Path) -> Result<(), Box<dyn Error>> {
                 c["claim"]["exact"] = json!("5/8")
             }),
             ("claim-conclusion-of-another-kind", |c| {
-                c["claim"]["kind"] = json!("limit")
+                c["steps"][2] = json!({"rule": "weight", "basis": 0});
             }),
             ("cosine-missing", |c| c["cosine"] = Value::Null),
             ("cosine-of-another-valence", |c| {
