@@ -251,7 +251,10 @@ fn mutant(text: &str, random: &mut Random) -> String {
 }
 
 /// The constants that mutants may claim, enclosed by the library.
-struct Truth(HashMap<(String, u32, String, usize), Option<(Rational, Rational)>>);
+struct Truth(HashMap<Constants, Option<(Rational, Rational)>>);
+
+/// Weights, valence, kind, level.
+type Constants = (String, u32, String, usize);
 
 impl Truth {
     /// Whether lo <= constant <= hi may hold: not certainly false.

@@ -93,13 +93,13 @@ impl Prover {
         // and the distance near the corner is the vertex displacement.
         let local = self.bound(self.vertex_displacement());
         let smaller = self.weight.compare(&local.value, &main.bound.value) == Some(Ordering::Less);
-        if control && k > 0 && smaller {
-            if let Some(lemma) = (1..=6).find_map(|depth| self.lemma(depth, &local)) {
-                let conclusion = self.cover_by(against, k, &lemma, bound)?;
-                return Ok((lemma, conclusion));
-            }
+        if !(control && k > 0 && smaller) {
+            return Err(Failure::Unproved);
         }
-        Err(Failure::Unproved)
+        let lemma = (1..=6).find_map(|depth| self.lemma(depth, &local));
+        let lemma = lemma.ok_or(Failure::Unproved)?;
+        let conclusion = self.cover_by(against, k, &lemma, bound)?;
+        Ok((lemma, conclusion))
     }
 
     /// A cover whose tail rests on a lemma, with as few steps as the tail allows.
