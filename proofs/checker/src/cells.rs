@@ -54,7 +54,7 @@ fn hull(
 
 /// `Σ weights_i c_i`.
 fn combine(weights: &[BigRational], c: &[Polynomial]) -> Polynomial {
-    let terms = weights.iter().zip(c).map(|(x, c)| c.scale(x));
+    let terms = weights.iter().zip(c).filter(|(x, _)| !x.is_zero()).map(|(x, c)| c.scale(x));
     terms.fold(Polynomial::integer(0), |sum, term| &sum + &term)
 }
 
