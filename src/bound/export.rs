@@ -2,8 +2,6 @@
 
 use std::collections::HashMap;
 
-use num_traits::Zero;
-
 use super::cell::By;
 use super::constant::{At, Conclusion, Constant, Lemma, Proof};
 use super::nets::Against;
@@ -186,10 +184,10 @@ impl Prover {
         }
     }
 
-    /// A value in powers of β, over q.
+    /// A rational where the value is one, else its polynomial in β, over q.
     fn number(&self, value: &Value) -> Number {
-        if value.is_zero() {
-            return Number::Rational("0".into());
+        if let Some(r) = self.weight.rational(value) {
+            return Number::Rational(r.to_string());
         }
         let coefficients = value.ring_sum_coefficients(self.valence());
         Number::OverQ(coefficients.iter().map(Rational::to_string).collect())

@@ -225,7 +225,7 @@ impl RingWeight {
 
     /// An enclosure of a value by `f64`; the tightest one for rationals.
     pub fn enclose(&self, value: &Value) -> Interval {
-        if let Some(r) = value.to_rational(self.n) {
+        if let Some(r) = self.rational(value) {
             return Interval::from_rational(&r);
         }
         let (inf, sup) = self.fine_range(value.coefficients());
@@ -240,6 +240,15 @@ impl RingWeight {
         let inf = Interval::from_rational(&over(inf, &q_inf, &q_sup)).inf();
         let sup = Interval::from_rational(&over(sup, &q_sup, &q_inf)).sup();
         Interval::new(inf, sup)
+    }
+
+    /// The value as a rational: if it is one for every b, or if b is rational.
+    pub fn rational(&self, value: &Value) -> Option<Rational> {
+        let identically = value.to_rational(self.n);
+        identically.or_else(|| {
+            self.is_rational()
+                .then(|| self.evaluate(value).to_rational())?
+        })
     }
 
     /// The value as an exact number.

@@ -14,7 +14,7 @@ use crate::polynomial::{Polynomial, add_product};
 use crate::reject::{Outcome, Rule, ensure};
 use crate::space::{Row, Space};
 
-/// `register[to] = own register[to] + Σ factor register[from]`, a register being a polynomial.
+/// `to = own to + Σ factor from`, a register being a polynomial.
 struct Instruction {
     to: usize,
     own: BigInt,
@@ -39,7 +39,7 @@ type Equation = BTreeMap<usize, BigRational>;
 struct Elimination {
     /// Equation, unknown, and the equation when it was chosen to give that unknown.
     pivots: Vec<(usize, usize, Equation)>,
-    /// (to, from, factor): equation[to] -= factor equation[from].
+    /// (to, from, factor): the equation `to` less factor times the equation `from`.
     steps: Vec<(usize, usize, BigRational)>,
 }
 

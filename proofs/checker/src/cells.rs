@@ -25,7 +25,7 @@ type Bound<'a> = &'a Polynomial;
 /// that is what is wrong), for "regular" `cell-regular`, for a way that there is not `format`; or the
 /// work allowed is used up.
 pub fn check(space: &Space, c: &[Polynomial], bound: Bound, by: &By, splits: usize) -> Outcome<()> {
-    let effort = if matches!(by, By::Split(..)) { 1000 } else { 64 };
+    let effort = if matches!(by, By::Split(..)) { 4000 } else { 64 };
     space.charge(effort * c.iter().map(Polynomial::cost).sum::<u64>())?;
     match by {
         By::Alone(Name::Hull) => hull(space, c, bound, Rule::CellHull, |_| true),
@@ -54,7 +54,7 @@ fn hull(
 
 /// `Σ weights_i c_i`.
 fn combine(weights: &[BigRational], c: &[Polynomial]) -> Polynomial {
-    let terms = weights.iter().zip(c).map(|(x, c)| c.scale(x));
+    let terms = weights.iter().zip(c).filter(|(x, _)| !x.is_zero()).map(|(x, c)| c.scale(x));
     terms.fold(Polynomial::integer(0), |sum, term| &sum + &term)
 }
 

@@ -2,74 +2,61 @@
 
 use std::fmt;
 
-/// The rules of FORMAT.md by which a file can be rejected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rule {
-    /// The file is not of the form of section 3, or exceeds a limit.
-    Format,
-    /// The claim is contradictory, or the steps given cannot prove one of its kind.
-    Claim,
-    /// The enclosure of cos(π/n).
-    Cosine,
-    /// A basis, or the citation of one.
-    Bases,
-    /// The lower bound.
-    Attained,
-    /// A lemma, apart from its cells and tail.
-    Lemma,
-    /// The conclusion `cover`, apart from its cells and tail.
-    Cover,
-    /// The conclusion `apply`.
-    Apply,
-    /// The conclusion `differences`.
-    Differences,
-    /// The conclusion `weight`.
-    Weight,
-    /// The lower bound of the method of HW.
-    AttainedTile,
-    /// The conclusion `tiles`, apart from its cells and tail.
-    Tiles,
-    /// A cell shown by its hull.
-    CellHull,
-    /// A cell shown by an edge.
-    CellEdge,
-    /// A cell shown by concavity.
-    CellConcave,
-    /// A cell shown by its quarters.
-    CellSplit,
-    /// A cell shown by the decay of second differences.
-    CellRegular,
-    /// The cells do not cover what they should, or one is superfluous.
-    Covering,
-    /// A tail.
-    Tail,
+/// Defines the rules with their names.
+macro_rules! rules {
+    ($($(#[$doc:meta])* $rule:ident = $name:literal,)+) => {
+        /// The rules of FORMAT.md by which a file can be rejected.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Rule { $($(#[$doc])* $rule,)+ }
+
+        impl Rule {
+            /// The stable name.
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$rule => $name,)+ }
+            }
+        }
+    };
 }
 
-impl Rule {
-    /// The stable name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Format => "format",
-            Self::Claim => "claim",
-            Self::Cosine => "cosine",
-            Self::Bases => "bases",
-            Self::Attained => "attained",
-            Self::Lemma => "lemma",
-            Self::Cover => "cover",
-            Self::Apply => "apply",
-            Self::Differences => "differences",
-            Self::Weight => "weight",
-            Self::AttainedTile => "attained-tile",
-            Self::Tiles => "tiles",
-            Self::CellHull => "cell-hull",
-            Self::CellEdge => "cell-edge",
-            Self::CellConcave => "cell-concave",
-            Self::CellSplit => "cell-split",
-            Self::CellRegular => "cell-regular",
-            Self::Covering => "covering",
-            Self::Tail => "tail",
-        }
-    }
+rules! {
+    /// The file is not of the form of section 3, or exceeds a limit.
+    Format = "format",
+    /// The claim is contradictory, or the steps given cannot prove one of its kind.
+    Claim = "claim",
+    /// The enclosure of cos(π/n).
+    Cosine = "cosine",
+    /// A basis, or the citation of one.
+    Bases = "bases",
+    /// The lower bound.
+    Attained = "attained",
+    /// A lemma, apart from its cells and tail.
+    Lemma = "lemma",
+    /// The conclusion `cover`, apart from its cells and tail.
+    Cover = "cover",
+    /// The conclusion `apply`.
+    Apply = "apply",
+    /// The conclusion `differences`.
+    Differences = "differences",
+    /// The conclusion `weight`.
+    Weight = "weight",
+    /// The lower bound of the method of HW.
+    AttainedTile = "attained-tile",
+    /// The conclusion `tiles`, apart from its cells and tail.
+    Tiles = "tiles",
+    /// A cell shown by its hull.
+    CellHull = "cell-hull",
+    /// A cell shown by an edge.
+    CellEdge = "cell-edge",
+    /// A cell shown by concavity.
+    CellConcave = "cell-concave",
+    /// A cell shown by its quarters.
+    CellSplit = "cell-split",
+    /// A cell shown by the decay of second differences.
+    CellRegular = "cell-regular",
+    /// The cells do not cover what they should, or one is superfluous.
+    Covering = "covering",
+    /// A tail.
+    Tail = "tail",
 }
 
 /// Why a certificate is rejected.
