@@ -10,10 +10,11 @@ use num_traits::{One, Signed, Zero};
 
 use super::functional::{ExactFunctional, FloatFunctional, Integer};
 use super::value::{RingWeight, Value, value_of};
+use super::word::quarter_corners;
 use crate::bernstein::Patch;
 use crate::bernstein::triangle::{QuarticTriangle, index};
 use crate::lp::Basis;
-use crate::scalar::Rational;
+use crate::scalar::{Field, Module, Rational};
 
 /// Why a quartic stays below a bound over its triangle.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,6 +24,11 @@ pub enum By {
     /// The coefficients off one edge do; on the edge the quartic is concave and its tangent at a
     /// parameter does at both ends. Edge e is opposite to corner e.
     Edge(usize, Rational),
+    /// For words shorter than k: the second differences of the word's net, d levels above k, are at most
+    /// the bound over [`regular_factor`]. No quartic is involved.
+    Regular,
+    /// Each of the four quarters is below the bound for its own reason, in the order of letters.
+    Split(Box<[By; 4]>),
     /// The quartic is concave, and its tangent plane at a point does at the three corners.
     Concave(Rational, Rational),
 }
@@ -75,12 +81,32 @@ pub fn float_weight(t: &FloatFunctional, columns: &[Vec<f64>]) -> f64 {
     columns.iter().map(|column| t.at(column).abs()).sum()
 }
 
+/// `C_d = 4^-d / 2` and `B_d = 4^-d / 3` of regular nets: |S - F_d| <= factor M.
+///
+/// Each second difference of a refined regular net is a mean of second differences over 4, so M falls
+/// by 4^-1 a level, also over all parts. A step moves vertex points by at most 3/8 M and edge points by
+/// M/8 off F_0, hence |F_1 - F_0| <= 3/8 M and |S - F_0| <= 3/8 (1 + 1/4 + ..) M = M/2. B_0 = 1/3 is
+/// Theorem 2 of HW.
+pub fn regular_factor(against: super::nets::Against, d: usize) -> Rational {
+    let denominator = match against {
+        super::nets::Against::Control => 2,
+        super::nets::Against::Limit => 3,
+    };
+    Rational::new(BigInt::from(1), BigInt::from(denominator) << (2 * d))
+}
+
 /// Whether the quartic with the given coefficients is at most `bound` over its triangle, for the
 /// given reason; exact.
 pub fn holds(weight: &RingWeight, c: &[Value; 15], by: &By, bound: &Value) -> bool {
     let below = |value: &Value| weight.at_most(value, bound);
     match by {
         By::Hull => c.iter().all(below),
+        By::Regular => false,
+        By::Split(reasons) => {
+            let quarters = quarters::<Rational, Value>(c);
+            let pairs = quarters.iter().zip(reasons.iter());
+            pairs.into_iter().all(|(c, by)| holds(weight, c, by, bound))
+        }
         By::Edge(edge, at) => {
             let on = edge_indices(*edge);
             if !(0..15).all(|i| on.contains(&i) || below(&c[i])) {
@@ -150,4 +176,48 @@ fn negative_semidefinite(weight: &RingWeight, a: &Value, b: &Value, d: &Value) -
     weight.at_most(a, &zero)
         && weight.at_most(d, &zero)
         && weight.at_most(&product(b, b), &product(a, d))
+}
+
+/// The Bernstein coefficients over the four quarters of the triangle, in the order of letters.
+///
+/// Coefficient (i, j, k) of a quarter with corners p, q, r is the blossom at i times p, j times q, k
+/// times r: four de Casteljau steps, one for each argument.
+pub fn quarters<S: Field, V: Module<S>>(c: &[V; 15]) -> [[V; 15]; 4] {
+    let half = |[v, w]: [i64; 2]| [2 - v - w, v, w].map(|p| S::ratio(p, 2));
+    std::array::from_fn(|letter| {
+        let corners = quarter_corners(letter as u8).map(half);
+        std::array::from_fn(|at| {
+            let (i, j) = multi_index(at);
+            let argument = |step: usize| match step {
+                _ if step < i => &corners[0],
+                _ if step < i + j => &corners[1],
+                _ => &corners[2],
+            };
+            let mut level: Vec<V> = c.to_vec();
+            for step in 0..4 {
+                let [u, v, w] = argument(step);
+                let rows = 3 - step;
+                let mut next = Vec::with_capacity(10);
+                for r in 0..=rows {
+                    for k in 0..=r {
+                        let (j, here) = (r - k, index(r - k, k));
+                        next.push(
+                            level[here].clone() * u
+                                + &(level[index(j + 1, k)].clone() * v)
+                                + &(level[index(j, k + 1)].clone() * w),
+                        );
+                    }
+                }
+                level = next;
+            }
+            level[0].clone()
+        })
+    })
+}
+
+/// (i, j) of the coefficient with an index.
+fn multi_index(at: usize) -> (usize, usize) {
+    let r = (0..=4).rfind(|r| r * (r + 1) / 2 <= at).unwrap_or(0);
+    let k = at - r * (r + 1) / 2;
+    (4 - r, r - k)
 }

@@ -37,6 +37,17 @@ pub enum At {
     Difference(Word, usize),
     /// The coefficient that the claim names.
     Claimed,
+    /// A point of a tile, a net for each of its coefficients.
+    Tile {
+        /// The tile.
+        word: Word,
+        /// The candidates whose nets they are.
+        nets: Vec<usize>,
+        /// First parameter.
+        v: Rational,
+        /// Second parameter.
+        w: Rational,
+    },
 }
 
 /// A bound of ‖S - F_0‖ near the extraordinary corner, on which tails rest.
@@ -72,6 +83,15 @@ pub enum Conclusion {
         /// The tail.
         tail: TailProof,
     },
+    /// For HW's β: whole tiles, the best bases of their coefficients, and a tail.
+    Tiles {
+        /// Steps K.
+        steps: usize,
+        /// The tiles.
+        cells: Vec<CellProof>,
+        /// The tail.
+        tail: TailProof,
+    },
     /// For each word, the candidates of its differences.
     Differences(Vec<(Word, Vec<usize>)>),
     /// The candidate of the coefficient.
@@ -99,8 +119,14 @@ pub struct Proof {
     pub conclusion: Conclusion,
 }
 
+/// Gaps above this are not worth a try for the exact value.
+const COARSE_GAP: f64 = 1e-3;
+
+/// Words of a tile that the search follows to level k.
+const BEAM: usize = 16;
+
 /// Most steps of an induction or a tail.
-const MOST_STEPS: usize = 14;
+const MOST_STEPS: usize = 12;
 
 /// Most rounds of raising the upper bound.
 const MOST_ROUNDS: usize = 40;
@@ -124,7 +150,7 @@ impl Prover {
             Constant::Rate(k) => self.rate(constant, vec![Word::zeros(k)]),
             Constant::MeshRate(k) => self.rate(constant, words_of(k)),
             Constant::Coefficient(word, index) => self.coefficient(word, index),
-            Constant::Beta => None,
+            Constant::Beta => self.beta(gap),
         }
     }
 
@@ -164,7 +190,7 @@ impl Prover {
 
     /// Order 0: the bound over `0^depth`.
     fn lemma(&mut self, depth: usize, bound: &Bound) -> Option<Lemma> {
-        for steps in 1..=MOST_STEPS.min(8) {
+        for steps in 1..=8 {
             let tail = Tail {
                 kind: TailKind::Distance(Against::Control, 0),
                 steps,
@@ -232,7 +258,7 @@ impl Prover {
         let global = self.main_lemma()?;
         let constant = Constant::Distance(against, k);
         let mut best = self.search(against, k)?;
-        let mut try_exact = true;
+        let mut try_exact = gap <= COARSE_GAP;
         for round in 0..MOST_ROUNDS {
             let (lower, at, simple) = self.lower(against, k, &best);
             try_exact &= simple;
@@ -328,7 +354,7 @@ impl Prover {
     ) -> Result<(Lemma, Conclusion), Failure> {
         let mut failure = Failure::TooFine;
         let mut attempt = |prover: &mut Self, lemma: &Lemma| {
-            for steps in k..=MOST_STEPS {
+            for steps in k..=k + MOST_STEPS {
                 let tail = Tail {
                     kind: TailKind::Distance(against, k),
                     steps,
@@ -404,7 +430,7 @@ impl Prover {
     }
 
     /// |value|, of a value whose sign is known.
-    fn absolute(&self, value: Value) -> Value {
+    pub(super) fn absolute(&self, value: Value) -> Value {
         if self.weight.at_most(&value, &Value::zero()) {
             Value::zero() - &value
         } else {
@@ -453,6 +479,9 @@ impl Prover {
                     .flat_map(|word| (0..4).map(|l| word.child(l)))
                     .collect();
                 words.retain(|word| *word <= word.mirror());
+                if words.len() > BEAM {
+                    words = self.steepest(words, BEAM)?;
+                }
             }
             for word in words {
                 let t = self.float_target(word, target);
@@ -474,6 +503,30 @@ impl Prover {
             consider(self.climb(witness, target)?);
         }
         best
+    }
+
+    /// The words whose nets can have the largest second differences.
+    fn steepest(&mut self, words: Vec<Word>, count: usize) -> Option<Vec<Word>> {
+        let mut ranked = Vec::with_capacity(words.len());
+        let mut hint = None;
+        for word in words {
+            let mut largest = 0f64;
+            for t in self.floats.differences(word) {
+                let (index, value) = self.propose(&t, hint)?;
+                hint = Some(index);
+                largest = largest.max(value);
+            }
+            ranked.push((largest, word));
+        }
+        // Ties stay in the order of words.
+        ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        Some(
+            ranked
+                .into_iter()
+                .take(count)
+                .map(|(_, word)| word)
+                .collect(),
+        )
     }
 
     /// The maximum of a net's own distance over a part, near the best grid point.
@@ -521,14 +574,12 @@ impl Prover {
                 let (index, _) = self.propose(t, hint)?;
                 hint = Some(index);
                 list.push(index);
-                let exact = self.big().differences(word).swap_remove(l);
-                let exact = self.big().space_scale(&exact);
-                let above =
-                    super::cell::exact_weight(&self.weight, &exact, &self.candidate(index).basis)?;
+                let above = self.difference_weight(word, l, index)?;
                 if !self.weight.at_most(&above, &upper) {
                     upper = above;
                 }
-                let below = self.absolute(self.value_at(&exact, index));
+                let below = self.difference_value(word, l, index);
+                let below = self.absolute(below);
                 if best
                     .as_ref()
                     .is_none_or(|(known, ..)| !self.weight.at_most(&below, known))

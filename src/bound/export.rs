@@ -58,14 +58,7 @@ impl Bases<'_> {
                 [one] => certificate::Bases::One(self.cite(one)),
                 ref each => certificate::Bases::Each(each.iter().map(|&b| self.cite(b)).collect()),
             };
-            let by = match &cell.by {
-                By::Hull => certificate::By::Hull("hull".into()),
-                By::Edge(e, s) => certificate::By::Edge("edge".into(), *e, s.to_string()),
-                By::Concave(v, w) => {
-                    certificate::By::Concave("concave".into(), v.to_string(), w.to_string())
-                }
-            };
-            (cell.word.to_string(), bases, by)
+            (cell.word.to_string(), bases, reason(&cell.by))
         };
         cells.iter().map(&mut cell).collect()
     }
@@ -78,6 +71,20 @@ impl Bases<'_> {
     }
 }
 
+fn reason(by: &By) -> certificate::By {
+    match by {
+        By::Hull => certificate::By::Plain("hull".into()),
+        By::Regular => certificate::By::Plain("regular".into()),
+        By::Edge(e, s) => certificate::By::Edge("edge".into(), *e, s.to_string()),
+        By::Concave(v, w) => {
+            certificate::By::Concave("concave".into(), v.to_string(), w.to_string())
+        }
+        By::Split(reasons) => {
+            certificate::By::Split("split".into(), Box::new(reasons.each_ref().map(reason)))
+        }
+    }
+}
+
 impl Prover {
     /// The certificate of a proof made by this prover.
     pub fn certificate(&self, proof: &Proof) -> Certificate {
@@ -86,26 +93,31 @@ impl Prover {
             list: Vec::new(),
             known: HashMap::new(),
         };
-        let candidate = self.candidate(proof.net);
-        let at = match &proof.at {
-            At::Point(word, v, w) => Some(certificate::At::Point {
+        let net = |index: usize| -> Vec<String> {
+            let net = self.candidate(index).net_rationals();
+            net.iter().map(Rational::to_string).collect()
+        };
+        let attained = |at| Step::Attained {
+            net: net(proof.net),
+            at,
+        };
+        let mut steps = vec![match &proof.at {
+            At::Point(word, v, w) => attained(Some(certificate::At::Point {
                 word: word.to_string(),
                 v: v.to_string(),
                 w: w.to_string(),
-            }),
-            At::Difference(word, l) => Some(certificate::At::Difference {
+            })),
+            At::Difference(word, l) => attained(Some(certificate::At::Difference {
                 word: word.to_string(),
                 difference: l + 1,
-            }),
-            At::Claimed => None,
-        };
-        let mut steps = vec![Step::Attained {
-            net: candidate
-                .net_rationals()
-                .iter()
-                .map(Rational::to_string)
-                .collect(),
-            at,
+            })),
+            At::Claimed => attained(None),
+            At::Tile { word, nets, v, w } => Step::AttainedTile {
+                word: word.to_string(),
+                nets: nets.iter().map(|&index| net(index)).collect(),
+                v: v.to_string(),
+                w: w.to_string(),
+            },
         }];
         if let Some(lemma) = &proof.lemma {
             steps.push(self.lemma_step(lemma, &mut bases));
@@ -114,6 +126,12 @@ impl Prover {
         steps.push(match &proof.conclusion {
             Conclusion::Apply => Step::Apply { lemma },
             Conclusion::Cover { steps, cells, tail } => Step::Cover {
+                steps: *steps,
+                lemma,
+                cells: bases.cells(cells),
+                tail: bases.tail(tail),
+            },
+            Conclusion::Tiles { steps, cells, tail } => Step::Tiles {
                 steps: *steps,
                 lemma,
                 cells: bases.cells(cells),

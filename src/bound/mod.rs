@@ -37,9 +37,11 @@
 //! assert_eq!(prover.closed_form(&proof).unwrap().to_string(), "1/3");
 //! ```
 
+mod beta;
 pub mod cell;
 pub mod constant;
 mod export;
+pub mod face_rate;
 pub mod functional;
 pub mod nets;
 mod prover;

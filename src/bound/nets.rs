@@ -264,10 +264,15 @@ impl<A: Space> Nets<A> {
     }
 
     /// The factor times the Bernstein coefficients of S - F_k over a regular word of at least k
-    /// letters.
+    /// letters; at valence 6 any word.
     pub fn target(&mut self, word: Word, against: Against, k: usize) -> [A::V; 15] {
-        let Net::Regular(points) = self.net(word).clone() else {
-            panic!("S is not polynomial over the word {word}");
+        let points = match self.net(word).clone() {
+            Net::Regular(points) => points,
+            // At valence 6 the first net is regular too.
+            Net::Extraordinary(points) if points.len() == REGULAR_LABELS.len() => {
+                Box::new(REGULAR_LABELS.map(|label| points[label - 1].clone()))
+            }
+            Net::Extraordinary(_) => panic!("S is not polynomial over the word {word}"),
         };
         let mesh = self.mesh_at_corners(word, against, k);
         let surface = box_spline::<A::S, A::V>(&points).0;
@@ -312,6 +317,13 @@ impl<A: Space> Nets<A> {
         rows.iter()
             .map(|row| row.apply::<A::S, A::V>(&local))
             .collect()
+    }
+
+    /// One of the second differences of a word's net.
+    pub fn difference(&mut self, word: Word, l: usize) -> A::V {
+        let n = self.space.valence();
+        let (valence, local) = self.net(word).local(n);
+        loop_scheme::second_differences(valence)[l].apply::<A::S, A::V>(&local)
     }
 
     /// The factor times a functional.

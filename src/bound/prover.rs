@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use ethnum::I256;
 use num_bigint::BigInt;
 use num_traits::Zero;
 
@@ -13,7 +14,7 @@ use super::quartic;
 use super::value::{RingWeight, Value};
 use super::word::{LONGEST_WORD, Word};
 use crate::lp::{Basis, Rows};
-use crate::scalar::{Rational, ShortRational};
+use crate::scalar::{Interval, Rational, ShortRational};
 use crate::scheme::{LoopWeights, loop_scheme};
 
 /// What is bounded over a part.
@@ -91,6 +92,9 @@ pub struct Witness {
 /// wrongly is rejected exactly.
 const SLACK: f64 = 1e-12;
 
+/// Bits that factors of fixed-size integers may have.
+const WORD_BITS: u32 = 190;
+
 /// Parts smaller than this many levels below their tile are given up.
 const DEEPEST: usize = 12;
 
@@ -111,7 +115,7 @@ pub struct Prover {
     /// The second differences.
     pub rows: Rows,
     pub(super) floats: Nets<Floats>,
-    words: Nets<Exact<i128>>,
+    words: Nets<Exact<I256>>,
     big: Nets<Exact<BigInt>>,
     candidates: Vec<Candidate>,
     known: HashMap<Vec<usize>, usize>,
@@ -217,7 +221,7 @@ impl Prover {
         made
     }
 
-    /// Whether 128 bits suffice for the exact functionals of a word and their weights.
+    /// Whether [`WORD_BITS`] suffice for the exact functionals of a word and their weights.
     fn fits(&self, word: Word) -> bool {
         self.fits_times(word, 0)
     }
@@ -225,8 +229,8 @@ impl Prover {
     /// The same after a product with numbers of so many bits.
     fn fits_times(&self, word: Word, bits: u32) -> bool {
         // Inverses of second differences have entries below 2^8; a weight sums n + 9 multipliers.
-        // (Numbers that did leave 128 bits would stop the program, not spoil the result.)
-        bits_needed(self.valence(), word) + 8 + 10 + bits < 126
+        // (Numbers that did leave them would stop the program, not spoil the result.)
+        bits_needed(self.valence(), word) + 8 + 10 + bits < WORD_BITS
     }
 
     /// The exact weights of a target's coefficients in a candidate's basis.
@@ -288,7 +292,11 @@ impl Prover {
             Target::Linear(_) => 0,
         };
         let mut hint = hint;
-        if word.len() >= level {
+        if word.len() < level {
+            if self.close_regular(word, target, bound, cells)? {
+                return Ok(());
+            }
+        } else {
             let (accepted, best) = self.prove_cell(word, target, bound, hint, cells)?;
             if accepted {
                 return Ok(());
@@ -306,6 +314,79 @@ impl Prover {
             }
         }
         Ok(())
+    }
+
+    /// Tries to close a part above level k by its second differences.
+    fn close_regular(
+        &mut self,
+        word: Word,
+        target: Target,
+        bound: &Bound,
+        cells: &mut Vec<CellProof>,
+    ) -> Result<bool, Failure> {
+        let Target::Distance(against, level) = target else {
+            return Ok(false);
+        };
+        let factor = cell::regular_factor(against, level - word.len());
+        let float = Interval::from_rational(&factor).mid();
+        let limit = bound.float * (1.0 + SLACK);
+        let mut bases: Vec<usize> = Vec::with_capacity(15);
+        for t in self.floats.differences(word) {
+            let fits = |&&b: &&usize| self.float_weight(&t, b) * float <= limit;
+            let known = bases.iter().rev().find(fits).copied();
+            let index = match known {
+                Some(index) => index,
+                None => {
+                    let hint = bases.last().copied();
+                    let (index, value) = self.propose(&t, hint).ok_or(Failure::TooFine)?;
+                    if value * float > limit {
+                        return Ok(false);
+                    }
+                    index
+                }
+            };
+            bases.push(index);
+        }
+        for (l, &index) in bases.iter().enumerate() {
+            let Some(value) = self.difference_weight(word, l, index) else {
+                return Ok(false);
+            };
+            if !self.weight.at_most(&(value * &factor), &bound.value) {
+                return Ok(false);
+            }
+        }
+        cells.push(CellProof {
+            word,
+            bases,
+            by: By::Regular,
+        });
+        Ok(true)
+    }
+
+    /// The exact weight of a second difference of a word's net in a candidate's basis.
+    pub(super) fn difference_weight(
+        &mut self,
+        word: Word,
+        l: usize,
+        index: usize,
+    ) -> Option<Value> {
+        fn scaled<A: Space>(nets: &mut Nets<A>, word: Word, l: usize) -> A::V {
+            let difference = nets.difference(word, l);
+            nets.space_scale(&difference)
+        }
+        let basis = &self.candidates[index].basis;
+        if self.fits(word) {
+            cell::exact_weight(&self.weight, &scaled(&mut self.words, word, l), basis)
+        } else {
+            cell::exact_weight(&self.weight, &scaled(&mut self.big, word, l), basis)
+        }
+    }
+
+    /// The exact value of a second difference of a word's net at a candidate's net.
+    pub(super) fn difference_value(&mut self, word: Word, l: usize, net: usize) -> Value {
+        let difference = self.big.difference(word, l);
+        let scaled = self.big.space_scale(&difference);
+        self.value_at(&scaled, net)
     }
 
     /// Tries to close one part; whether it did, and a basis to go on from.
@@ -328,7 +409,11 @@ impl Prover {
         }
         for basis in recent {
             let below = |t: &FloatFunctional| self.float_weight(t, basis) <= limit;
-            if t.iter().all(below) && self.accept(word, target, &[basis], By::Hull, bound, cells) {
+            let c = || std::array::from_fn(|i| self.float_weight(&t[i], basis));
+            if t.iter().all(below) && {
+                let c = c();
+                self.close_by(word, target, &c, &[basis], bound, cells)
+            } {
                 return Ok((true, hint));
             }
         }
@@ -390,63 +475,25 @@ impl Prover {
         bound: &Bound,
         cells: &mut Vec<CellProof>,
     ) -> bool {
-        let limit = bound.float * (1.0 + SLACK);
-        if c.iter().all(|c| *c <= limit) {
-            return self.accept(word, target, bases, By::Hull, bound, cells);
-        }
-        if matches!(target, Target::Linear(_)) || quartic::sample(c).0 > limit {
+        let reasons = reasons(c, bound.float);
+        let linear = matches!(target, Target::Linear(_));
+        let reasons: Vec<By> = (reasons.into_iter())
+            .filter(|by| !linear || *by == By::Hull)
+            .collect();
+        if reasons.is_empty() {
             return false;
         }
-        let (value, at) = quartic::maximise(c);
-        if value > limit {
-            return false;
-        }
-        for edge in 0..3 {
-            let on = cell::edge_indices(edge);
-            if !(0..15).all(|i| on.contains(&i) || c[i] <= limit) {
-                continue;
-            }
-            let f = on.map(|i| c[i]);
-            if !quartic::is_concave_edge(&f) {
-                continue;
-            }
-            let (_, s) = quartic::maximise_edge(&f);
-            for at in rationals_near(s) {
-                if self.accept(word, target, bases, By::Edge(edge, at), bound, cells) {
-                    return true;
-                }
-            }
-        }
-        if !quartic::is_concave(c) {
-            return false;
-        }
-        let [v, w] = at;
-        for (v, w) in rationals_near(v).into_iter().zip(rationals_near(w)) {
-            if self.accept(word, target, bases, By::Concave(v, w), bound, cells) {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// Checks a proposal exactly and keeps it if it holds.
-    fn accept(
-        &mut self,
-        word: Word,
-        target: Target,
-        bases: &[usize],
-        by: By,
-        bound: &Bound,
-        cells: &mut Vec<CellProof>,
-    ) -> bool {
         let Some(weights) = self.exact_weights(word, target, bases) else {
             return false;
         };
-        let holds = cell::holds(&self.weight, &weights, &by, &bound.value);
-        if holds {
-            let bases = bases.to_vec();
-            cells.push(CellProof { word, bases, by });
-        }
+        let by =
+            (reasons.into_iter()).find(|by| cell::holds(&self.weight, &weights, by, &bound.value));
+        let holds = by.is_some();
+        cells.extend(by.map(|by| CellProof {
+            word,
+            bases: bases.to_vec(),
+            by,
+        }));
         holds
     }
 
@@ -511,7 +558,7 @@ impl Prover {
         large: G,
     ) -> Option<Value>
     where
-        F: Fn(&mut Nets<Exact<i128>>) -> ExactFunctional<i128>,
+        F: Fn(&mut Nets<Exact<I256>>) -> ExactFunctional<I256>,
         G: Fn(&mut Nets<Exact<BigInt>>) -> ExactFunctional<BigInt>,
     {
         let basis = &self.candidates[basis].basis;
@@ -550,11 +597,6 @@ impl Prover {
         let t = self.big.corner_target(against, k);
         self.value_at(&t, net)
     }
-
-    /// The nets in big integers: for what is needed once.
-    pub(super) fn big(&mut self) -> &mut Nets<Exact<BigInt>> {
-        &mut self.big
-    }
 }
 
 fn target_of<A: Space>(nets: &mut Nets<A>, word: Word, target: Target) -> [A::V; 15] {
@@ -562,6 +604,36 @@ fn target_of<A: Space>(nets: &mut Nets<A>, word: Word, target: Target) -> [A::V;
         Target::Distance(against, k) => nets.target(word, against, k),
         Target::Linear(depth) => nets.linear_target(word, depth),
     }
+}
+
+/// The reasons why a quartic could be below a bound, judged in `f64`, the simplest first.
+pub(super) fn reasons(c: &[f64; 15], bound: f64) -> Vec<By> {
+    let limit = bound * (1.0 + SLACK);
+    if c.iter().all(|c| *c <= limit) {
+        return vec![By::Hull];
+    }
+    let mut reasons = Vec::new();
+    if quartic::sample(c).0 > limit {
+        return reasons;
+    }
+    let (value, [v, w]) = quartic::maximise(c);
+    if value > limit {
+        return reasons;
+    }
+    for edge in 0..3 {
+        let on = cell::edge_indices(edge);
+        let f = on.map(|i| c[i]);
+        let off_below = (0..15).all(|i| on.contains(&i) || c[i] <= limit);
+        if off_below && quartic::is_concave_edge(&f) {
+            let (_, s) = quartic::maximise_edge(&f);
+            reasons.extend(rationals_near(s).map(|s| By::Edge(edge, s)));
+        }
+    }
+    if quartic::is_concave(c) {
+        let points = rationals_near(v).into_iter().zip(rationals_near(w));
+        reasons.extend(points.map(|(v, w)| By::Concave(v, w)));
+    }
+    reasons
 }
 
 /// The value at the middle of the triangle.

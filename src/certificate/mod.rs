@@ -135,6 +135,30 @@ pub enum Step {
         /// Words with the bases of their differences.
         words: Vec<(String, Vec<usize>)>,
     },
+    /// The lower bound of HW's β: for each coefficient of a tile a net, and where the quartic of their
+    /// values is taken.
+    #[serde(rename = "attained-tile")]
+    AttainedTile {
+        /// The tile.
+        word: String,
+        /// 15 nets.
+        nets: Vec<Vec<String>>,
+        /// First parameter.
+        v: String,
+        /// Second parameter.
+        w: String,
+    },
+    /// The conclusion for HW's β: whole tiles, and a tail.
+    Tiles {
+        /// The steps K.
+        steps: usize,
+        /// Index of the lemma among the steps.
+        lemma: usize,
+        /// The tiles.
+        cells: Vec<Cell>,
+        /// As in a lemma.
+        tail: Vec<[Vec<usize>; 2]>,
+    },
     /// The conclusion for coefficients.
     Weight {
         /// The basis.
@@ -181,8 +205,10 @@ pub enum Bases {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum By {
-    /// `"hull"`.
-    Hull(String),
+    /// `"hull"` or `"regular"`.
+    Plain(String),
+    /// `["split", [BY, BY, BY, BY]]`.
+    Split(String, Box<[By; 4]>),
     /// `["edge", e, s]`.
     Edge(String, usize, String),
     /// `["concave", v, w]`.

@@ -59,6 +59,8 @@ enum ConstantName {
     Control,
     /// B_k: surface to the level-k limit mesh
     Limit,
+    /// Huang & Wang's own bound of B_0, one program per Bezier coefficient (level 0)
+    Beta,
 }
 
 /// `A..B`, both ends included, or one number.
@@ -157,6 +159,7 @@ impl Bound {
             bail!("--level of a rate is at least 1: r_0 = 1 by definition");
         }
         let highest = match self.constant {
+            ConstantName::Beta => 0,
             ConstantName::Rate => HIGHEST_RATE_LEVEL,
             _ => HIGHEST_LEVEL,
         };
@@ -170,6 +173,7 @@ impl Bound {
             ConstantName::Rate => Constant::Rate(k as usize),
             ConstantName::MeshRate => Constant::MeshRate(k as usize),
             ConstantName::Control => Constant::Distance(Against::Control, k as usize),
+            ConstantName::Beta => Constant::Beta,
             ConstantName::Limit => Constant::Distance(Against::Limit, k as usize),
         };
         Ok((level.first..=level.last).map(constant).collect())

@@ -1,0 +1,355 @@
+//! Writes `proofs/certificates` and `proofs/rejected` anew, from the repository's root:
+//!
+//! ```sh
+//! cargo run --release --example author_proofs
+//! ```
+//!
+//! The certificates are what `subcert bound` writes for n = 3..50. A rejected file is a certificate with
+//! one fault, named `<rule>-<fault>.json` after the rule that must reject it.
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use serde_json::{Value, json};
+use subcert::bound::word::Word;
+use subcert::bound::{Against, Constant, Row, tabulate};
+use subcert::report::constants::{certificate_name, write_certificates};
+use subcert::scheme::LoopWeights::{self, Original, Warren};
+
+const GAP: f64 = 1e-6;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = Path::new("proofs");
+    if !folder.join("FORMAT.md").exists() {
+        return Err("run this from the repository's root".into());
+    }
+    renew(&folder.join("certificates"))?;
+    for weights in [Original, Warren] {
+        let rows = constants(weights, &(3..=50).collect::<Vec<_>>(), &committed());
+        write_certificates(&folder.join("certificates"), &rows)?;
+    }
+    let deltas: Vec<Constant> = (0..15)
+        .map(|i| Constant::Coefficient(Word::EMPTY, i))
+        .collect();
+    write_certificates(
+        &folder.join("certificates"),
+        &constants(Original, &[6], &deltas),
+    )?;
+    renew(&folder.join("rejected"))?;
+    rejected(&folder.join("rejected"))?;
+    Ok(())
+}
+
+fn renew(folder: &Path) -> std::io::Result<()> {
+    if folder.exists() {
+        fs::remove_dir_all(folder)?;
+    }
+    fs::create_dir_all(folder)
+}
+
+fn committed() -> Vec<Constant> {
+    let distances = [Against::Control, Against::Limit].into_iter();
+    let distances = distances.flat_map(|a| (0..=3).map(move |k| Constant::Distance(a, k)));
+    let rates = (1..=3).map(Constant::Rate);
+    let rates = rates.chain((1..=2).map(Constant::MeshRate));
+    distances.chain(rates).chain([Constant::Beta]).collect()
+}
+
+fn constants(weights: LoopWeights, valences: &[u32], constants: &[Constant]) -> Vec<Row> {
+    let rows = tabulate(weights, valences, constants, GAP, true, &|_, _| ());
+    for row in &rows {
+        assert!(
+            row.proof.is_some(),
+            "no proof of {:?} at {}",
+            row.constant,
+            row.n
+        );
+    }
+    rows
+}
+
+/// A certificate as JSON.
+fn certificate(weights: LoopWeights, n: u32, constant: Constant) -> Result<Value, Box<dyn Error>> {
+    let rows = constants(weights, &[n], &[constant]);
+    println!("from {}", certificate_name(&rows[0], &weights.to_string()));
+    let mut text = Vec::new();
+    rows[0]
+        .certificate
+        .as_ref()
+        .ok_or("no certificate")?
+        .write(&mut text)?;
+    Ok(serde_json::from_slice(&text)?)
+}
+
+/// The first cell of a list whose way has the given name.
+fn way<'a>(cells: &'a mut Value, name: &str) -> Option<&'a mut Value> {
+    let cells = cells.as_array_mut()?;
+    let has = |cell: &&mut Value| cell[2] == name || cell[2][0] == name;
+    cells.iter_mut().find(has)
+}
+
+type Fault = (&'static str, fn(&mut Value));
+
+fn rejected(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let control = |k| Constant::Distance(Against::Control, k);
+    let limit = |k| Constant::Distance(Against::Limit, k);
+
+    let c_0 = certificate(Original, 7, control(0))?;
+    write(
+        folder,
+        &c_0,
+        &[
+            ("format-unknown-field", |c| {
+                c["remark"] = json!("true, believe me")
+            }),
+            ("format-version-two", |c| c["version"] = json!(2)),
+            ("format-fraction-not-reduced", |c| {
+                c["claim"]["lo"] = json!("2/6")
+            }),
+            ("format-number-as-a-float", |c| {
+                c["claim"]["lo"] = json!(0.25)
+            }),
+            ("format-no-lower-bound", |c| {
+                let steps = c["steps"].as_array_mut().expect("steps");
+                steps.remove(0);
+            }),
+            ("format-no-conclusion", |c| {
+                let steps = c["steps"].as_array_mut().expect("steps");
+                steps.pop();
+            }),
+            ("claim-lo-above-hi", |c| {
+                c["claim"]["lo"] = json!("3/4");
+                c["claim"]["exact"] = Value::Null;
+            }),
+            ("claim-exact-outside", |c| {
+                c["claim"]["exact"] = json!("5/8")
+            }),
+            ("claim-conclusion-of-another-kind", |c| {
+                c["claim"]["kind"] = json!("limit")
+            }),
+            ("cosine-missing", |c| c["cosine"] = Value::Null),
+            ("cosine-of-another-valence", |c| {
+                c["cosine"] = json!(["9/10", "91/100"])
+            }),
+            ("cosine-ends-exchanged", |c| {
+                let [lo, hi] = [0, 1].map(|i| c["cosine"][i].clone());
+                c["cosine"] = json!([hi, lo]);
+            }),
+            ("bases-not-increasing", |c| {
+                let basis = c["bases"][0].as_array_mut().expect("a basis");
+                basis.swap(0, 1);
+            }),
+            ("bases-too-short", |c| {
+                c["bases"][0].as_array_mut().expect("a basis").pop();
+            }),
+            ("bases-beyond-the-differences", |c| {
+                let basis = c["bases"][0].as_array_mut().expect("a basis");
+                basis.pop();
+                basis.push(json!(17));
+            }),
+            ("bases-cited-but-missing", |c| {
+                c["steps"][1]["cells"][0][1] = json!(999)
+            }),
+            ("attained-net-too-large", |c| {
+                // Twice the net has twice the differences.
+                let net = c["steps"][0]["net"].as_array_mut().expect("a net");
+                for y in net {
+                    let text = y.as_str().expect("a number").to_string();
+                    let (p, q) = text.split_once('/').unwrap_or((&text, "1"));
+                    let p: i64 = p.parse().expect("a numerator");
+                    let q: i64 = q.parse().expect("a denominator");
+                    *y = json!(if q % 2 == 0 && q > 2 {
+                        format!("{p}/{}", q / 2)
+                    } else if q == 2 {
+                        format!("{p}")
+                    } else if q == 1 {
+                        format!("{}", 2 * p)
+                    } else {
+                        format!("{}/{q}", 2 * p)
+                    });
+                }
+            }),
+            ("attained-value-too-small", |c| {
+                let net = c["steps"][0]["net"].as_array_mut().expect("a net");
+                net.iter_mut().for_each(|y| *y = json!("0"));
+            }),
+            ("attained-net-too-short", |c| {
+                c["steps"][0]["net"].as_array_mut().expect("a net").pop();
+            }),
+            ("lemma-no-steps", |c| c["steps"][1]["steps"] = json!(0)),
+            ("lemma-order-without-corner", |c| {
+                c["steps"][1]["order"] = json!(1)
+            }),
+            ("apply-no-lemma", |c| c["steps"][2]["lemma"] = json!(0)),
+            ("apply-lemma-too-weak", |c| {
+                // Half as much again is as true, but no proof of 1/2.
+                c["steps"][1]["bound"] = json!("3/4");
+            }),
+            ("covering-cell-missing", |c| {
+                c["steps"][1]["cells"].as_array_mut().expect("cells").pop();
+            }),
+            ("covering-cell-superfluous", |c| {
+                let cells = c["steps"][1]["cells"].as_array_mut().expect("cells");
+                cells.push(json!(["13", 0, "hull"]));
+            }),
+            ("cell-hull-bound-too-small", |c| {
+                c["steps"][1]["bound"] = json!("2/5")
+            }),
+            ("tail-entry-missing", |c| {
+                c["steps"][1]["tail"].as_array_mut().expect("a tail").pop();
+            }),
+        ],
+    )?;
+
+    let mut c_1 = certificate(Original, 7, control(1))?;
+    c_1["claim"]["exact"] = Value::Null;
+    write(
+        folder,
+        &c_1,
+        &[
+            ("cover-fewer-steps-than-levels", |c| {
+                c["steps"][2]["steps"] = json!(0)
+            }),
+            ("cover-later-lemma", |c| c["steps"][2]["lemma"] = json!(2)),
+            ("tail-basis-of-another", |c| {
+                // One basis throughout: too weak for some difference.
+                for corner in c["steps"][2]["tail"].as_array_mut().expect("a tail") {
+                    for sign in corner.as_array_mut().expect("two signs") {
+                        let list = sign.as_array_mut().expect("bases");
+                        let first = list[0].clone();
+                        list.fill(first);
+                    }
+                }
+            }),
+            ("attained-point-outside", |c| {
+                c["steps"][0]["at"]["v"] = json!("2")
+            }),
+        ],
+    )?;
+
+    let b_0 = certificate(Original, 8, limit(0))?;
+    write(
+        folder,
+        &b_0,
+        &[
+            ("cell-edge-other-edge", |c| {
+                let cell = way(&mut c["steps"][2]["cells"], "edge").expect("an edge");
+                let edge = cell[2][1].as_u64().expect("a number");
+                cell[2][1] = json!((edge + 1) % 3);
+            }),
+            ("cell-edge-beyond-its-end", |c| {
+                let cell = way(&mut c["steps"][2]["cells"], "edge").expect("an edge");
+                cell[2][2] = json!("5/4");
+            }),
+            ("cell-edge-tangent-elsewhere", |c| {
+                let cell = way(&mut c["steps"][2]["cells"], "edge").expect("an edge");
+                cell[2][2] = json!("1/2");
+            }),
+        ],
+    )?;
+    let b_6 = certificate(Original, 6, limit(0))?;
+    write(
+        folder,
+        &b_6,
+        &[
+            ("cell-concave-tangent-elsewhere", |c| {
+                let cell = way(&mut c["steps"][2]["cells"], "concave").expect("a concave cell");
+                cell[2] = json!(["concave", "1/3", "1/4"]);
+            }),
+            ("cell-concave-outside", |c| {
+                let cell = way(&mut c["steps"][2]["cells"], "concave").expect("a concave cell");
+                cell[2] = json!(["concave", "2/3", "2/3"]);
+            }),
+            ("cell-hull-where-concave", |c| {
+                let cell = way(&mut c["steps"][2]["cells"], "concave").expect("a concave cell");
+                cell[2] = json!("hull");
+            }),
+        ],
+    )?;
+    let c_2 = certificate(Original, 7, control(2))?;
+    write(
+        folder,
+        &c_2,
+        &[("cell-regular-at-level", |c| {
+            // The factor needs a word above level k.
+            let cells = c["steps"][2]["cells"].as_array_mut().expect("cells");
+            let cell = cells
+                .iter_mut()
+                .find(|cell| cell[2] == "hull")
+                .expect("a hull");
+            let basis = cell[1].clone();
+            cell[1] = json!([basis.as_u64().unwrap_or(0); 15]);
+            cell[2] = json!("regular");
+        })],
+    )?;
+    let rate = certificate(Warren, 7, Constant::Rate(1))?;
+    write(
+        folder,
+        &rate,
+        &[
+            ("differences-word-missing", |c| {
+                c["steps"][1]["words"] = json!([])
+            }),
+            ("differences-basis-missing", |c| {
+                c["steps"][1]["words"][0][1]
+                    .as_array_mut()
+                    .expect("bases")
+                    .pop();
+            }),
+            ("differences-weight-too-large", |c| {
+                c["claim"]["exact"] = Value::Null;
+                c["claim"]["lo"] = json!("1/4");
+                c["claim"]["hi"] = json!("1/2");
+            }),
+            ("attained-difference-of-another-level", |c| {
+                c["steps"][0]["at"]["word"] = json!("00")
+            }),
+        ],
+    )?;
+    let delta = certificate(Original, 6, Constant::Coefficient(Word::EMPTY, 4))?;
+    write(
+        folder,
+        &delta,
+        &[
+            ("weight-above-the-claim", |c| {
+                c["claim"]["exact"] = Value::Null;
+                c["claim"]["lo"] = json!("1/4");
+                c["claim"]["hi"] = json!("2/5");
+            }),
+            ("claim-coefficient-without-place", |c| {
+                c["claim"].as_object_mut().expect("a claim").remove("at");
+            }),
+        ],
+    )?;
+    let beta = certificate(Original, 7, Constant::Beta)?;
+    write(
+        folder,
+        &beta,
+        &[
+            ("tiles-part-of-a-tile", |c| {
+                c["steps"][2]["cells"][0][0] = json!("12")
+            }),
+            ("attained-tile-net-missing", |c| {
+                c["steps"][0]["nets"].as_array_mut().expect("nets").pop();
+            }),
+            ("attained-tile-value-too-small", |c| {
+                c["steps"][0]["v"] = json!("0")
+            }),
+        ],
+    )?;
+    Ok(())
+}
+
+fn write(folder: &Path, certificate: &Value, faults: &[Fault]) -> Result<(), Box<dyn Error>> {
+    for (name, fault) in faults {
+        let mut faulty = certificate.clone();
+        fault(&mut faulty);
+        assert_ne!(&faulty, certificate, "{name} changes nothing");
+        fs::write(
+            folder.join(format!("{name}.json")),
+            serde_json::to_string(&faulty)? + "\n",
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,222 @@
+//! The steps of a certificate, and all rules but those with cells (those are in `region`).
+
+use std::collections::HashSet;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use crate::basis::Basis;
+use crate::covering::text;
+use crate::file::{
+    Apply, Attained, Cite, Claim, Differences, File, Kind, Lemma, Number, Place, Step, Weight, Word,
+};
+use crate::form::Form;
+use crate::net::Path;
+use crate::polynomial::Polynomial;
+use crate::rational::{decimal, ratio};
+use crate::reject::{Outcome, Rejection, Rule, ensure};
+use crate::space::Space;
+use crate::target::{Mesh, Target};
+use crate::word::{is_in_triangle, is_regular, mirrored};
+
+/// The most terms of all bases' programs together, for memory's sake.
+const TERMS: u64 = 1 << 24;
+/// The most bits of a net's common denominator.
+const NET_BITS: u64 = 1 << 16;
+const ORDER: &str = "the steps are not one attained, lemmas and one conclusion, in this order";
+
+/// A certificate with everything that its steps need.
+pub struct Proof<'a> {
+    pub file: &'a File,
+    pub space: &'a Space,
+    bases: Vec<Basis>,
+    /// What the attained value reaches, times q.
+    lower: Polynomial,
+    /// What the conclusion bounds the constant by, times q.
+    pub upper: Polynomial,
+}
+
+/// The target of a claim other than a rate.
+pub fn target(claim: &Claim) -> Target {
+    let mesh = if claim.kind == Kind::Control { Mesh::Control } else { Mesh::Limit };
+    Target { mesh, level: claim.level }
+}
+
+/// True if the claim, a rate, is about the net of this word.
+fn names(claim: &Claim, Word(word): &Word) -> bool {
+    word.len() == claim.level && (claim.kind == Kind::MeshRate || !is_regular(word))
+}
+
+impl<'a> Proof<'a> {
+    /// Checks the claim by itself, and the bases.
+    ///
+    /// # Errors
+    ///
+    /// If and only if they are not as the format says: rule `claim` or `bases`.
+    pub fn new(file: &'a File, space: &'a Space) -> Outcome<Self> {
+        let (claim, rule) = (&file.claim, Rule::Claim);
+        let (lo, hi) = (space.q.scale(&claim.lo.0), space.q.scale(&claim.hi.0));
+        let exact = claim.exact.as_ref().map(|value| space.value(value));
+        space.at_most(&lo, &hi, rule, "lo and hi")?;
+        if let Some(exact) = &exact {
+            space.at_most(&lo, exact, rule, "lo and exact")?;
+            space.at_most(exact, &hi, rule, "exact and hi")?;
+        }
+        let rate = matches!(claim.kind, Kind::Rate | Kind::MeshRate);
+        ensure!(claim.level >= 1 || !rate, rule, "the level of a rate is at least 1");
+        let placed = match &claim.at {
+            None => claim.kind != Kind::Coefficient,
+            Some(at) => {
+                let word = is_regular(&at.word.0) || (space.n == 6 && at.word.0.is_empty());
+                claim.kind == Kind::Coefficient && claim.level == 0 && word && at.index < 15
+            }
+        };
+        ensure!(placed, rule, "the kind, the level and \"at\" do not fit");
+        let (mut bases, mut terms) = (Vec::new(), 0);
+        for (i, list) in file.bases.iter().enumerate() {
+            let name =
+                |fault: Rejection| Rejection::new(fault.rule, format!("basis {i}: {}", fault.why));
+            let basis = Basis::new(space, list).map_err(name)?;
+            terms += basis.length();
+            ensure!(terms <= TERMS, Rule::Format, "more bases than the checker allows");
+            bases.push(basis);
+        }
+        let (lower, upper) = (exact.clone().unwrap_or(lo), exact.unwrap_or(hi));
+        Ok(Self { file, space, bases, lower, upper })
+    }
+
+    /// Checks every step: the first attains the lower target, the last proves the upper one.
+    ///
+    /// # Errors
+    ///
+    /// If and only if a step fails, or the steps are not those that the claim needs.
+    pub fn check(&self) -> Outcome<()> {
+        let steps = &self.file.steps;
+        ensure!(steps.len() >= 2, Rule::Format, "{ORDER}");
+        for (i, step) in steps.iter().enumerate() {
+            let checked = self.step(step, i, i + 1 == steps.len());
+            checked.map_err(|rejection| Rejection { step: Some(i), ..rejection })?;
+        }
+        Ok(())
+    }
+
+    fn step(&self, step: &Step, i: usize, last: bool) -> Outcome<()> {
+        let in_place = match step {
+            Step::Attained(_) => i == 0,
+            Step::Lemma(_) => i > 0 && !last,
+            _ => last,
+        };
+        ensure!(in_place, Rule::Format, "{ORDER}");
+        match (step, self.file.claim.kind) {
+            (Step::Attained(step), _) => self.attained(step),
+            (Step::Lemma(step), _) => self.lemma(step),
+            (Step::Cover(step), Kind::Control | Kind::Limit) => self.cover(step, i),
+            (Step::Apply(step), Kind::Control) => self.apply(step, i),
+            (Step::Differences(step), Kind::Rate | Kind::MeshRate) => self.differences(step),
+            (Step::Weight(step), Kind::Coefficient) => self.weight_of_coefficient(step),
+            _ => Err(Rejection::new(Rule::Claim, "the conclusion is not one for the claim's kind")),
+        }
+    }
+
+    /// The weight (times q) of a form (times q) in a basis.
+    pub fn weight(&self, cite: Cite, form: &Form) -> Outcome<Polynomial> {
+        let missing = || Rejection::new(Rule::Bases, format!("there is no basis {cite}"));
+        self.bases.get(cite).ok_or_else(missing)?.weight(self.space, form)
+    }
+
+    /// The lemma that step i cites.
+    pub fn earlier_lemma(&self, cite: usize, i: usize, rule: Rule) -> Outcome<&Lemma> {
+        match self.file.steps.get(cite) {
+            Some(Step::Lemma(lemma)) if cite < i => Ok(lemma),
+            _ => Err(Rejection::new(rule, format!("step {cite} is not an earlier lemma"))),
+        }
+    }
+
+    fn attained(&self, step: &Attained) -> Outcome<()> {
+        let (space, rule) = (self.space, Rule::Attained);
+        let net: Vec<BigRational> = step.net.iter().map(|y| y.0.clone()).collect();
+        ensure!(net.len() == space.size, rule, "{} points, not {}", net.len(), space.size);
+        for (l, row) in space.rows.iter().enumerate() {
+            let value = row.iter().map(|&(i, c)| &net[i] * ratio(c, 1)).sum::<BigRational>().abs();
+            let small = value <= BigRational::one();
+            ensure!(small, rule, "second difference {}: {} > 1", l + 1, decimal(&value, 12));
+        }
+        let mut den = BigInt::one();
+        for y in &net {
+            den = den.lcm(y.denom());
+            ensure!(den.bits() <= NET_BITS, Rule::Format, "the net's denominators are too large");
+        }
+        let net: Vec<BigInt> = net.iter().map(|y| y.numer() * (&den / y.denom())).collect();
+        let reached = self.place(step)?.at(&net, &den);
+        space.at_most(&self.lower, &reached, rule, "the lower target and the net's value")
+    }
+
+    /// The form (times q) whose value is claimed to be attained.
+    fn place(&self, step: &Attained) -> Outcome<Form> {
+        let (space, claim, rule) = (self.space, &self.file.claim, Rule::Attained);
+        let mut path = Path::new(space);
+        match (&step.at, claim.kind, &claim.at) {
+            (Some(Place::Point(at)), Kind::Control | Kind::Limit, _) => {
+                let (Word(word), Number(v), Number(w)) = (&at.word, &at.v, &at.w);
+                let valid = is_regular(word) || (v.is_zero() && w.is_zero());
+                let valid = valid && word.len() >= claim.level && is_in_triangle(v, w);
+                ensure!(valid, rule, "no point of the target");
+                target(claim).at_point(space, &mut path, word, v, w)
+            }
+            (Some(Place::Difference(at)), Kind::Rate | Kind::MeshRate, _) => {
+                ensure!(names(claim, &at.word), rule, "no net of the claim");
+                let differences = path.along(&at.word.0)?[claim.level].differences();
+                let difference = at.difference.checked_sub(1).and_then(|l| differences.get(l));
+                let missing = || Rejection::new(rule, "no difference of the net");
+                Ok(Form::sum(space.size, &[(&space.q, difference.ok_or_else(missing)?)]))
+            }
+            (None, Kind::Coefficient, Some(at)) => {
+                Ok(target(claim).coefficients(space, &mut path, &at.word.0)?.swap_remove(at.index))
+            }
+            _ => Err(Rejection::new(rule, "the place is not one for the claim's kind")),
+        }
+    }
+
+    fn apply(&self, step: &Apply, i: usize) -> Outcome<()> {
+        let (space, rule) = (self.space, Rule::Apply);
+        let lemma = self.earlier_lemma(step.lemma, i, rule)?;
+        let fits = lemma.depth == 0 && self.file.claim.level == 0;
+        ensure!(fits, rule, "only a lemma of depth 0 applies, and only to level 0");
+        space.at_most(&space.value(&lemma.bound), &self.upper, rule, "the lemma's bound")
+    }
+
+    fn differences(&self, step: &Differences) -> Outcome<()> {
+        let (space, claim, rule) = (self.space, &self.file.claim, Rule::Differences);
+        let mut seen = HashSet::new();
+        for (word, _) in &step.words {
+            let written = text(&word.0);
+            ensure!(names(claim, word), rule, "the word {written} is not one of the claim");
+            let image = mirrored(&word.0);
+            let new = !seen.contains(&word.0) && !seen.contains(&image);
+            ensure!(new, rule, "the word {written} is there twice");
+            seen.extend([word.0.clone(), image]);
+        }
+        let whole = if claim.kind == Kind::MeshRate { 1 << (2 * claim.level) } else { 1 };
+        ensure!(seen.len() == whole, rule, "{} words of {whole} are there", seen.len());
+        let mut path = Path::new(space);
+        for (word, bases) in &step.words {
+            let differences = path.along(&word.0)?[claim.level].differences();
+            let (count, given) = (differences.len(), bases.len());
+            ensure!(count == given, rule, "{given} bases for {count} differences");
+            for (l, (difference, &cite)) in differences.iter().zip(bases).enumerate() {
+                let form = Form::sum(space.size, &[(&space.q, difference)]);
+                let name = format!("word {}, difference {}: the weight", text(&word.0), l + 1);
+                space.at_most(&self.weight(cite, &form)?, &self.upper, rule, name)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn weight_of_coefficient(&self, step: &Weight) -> Outcome<()> {
+        let form = self.place(&Attained { net: Vec::new(), at: None })?;
+        let weight = self.weight(step.basis, &form)?;
+        self.space.at_most(&weight, &self.upper, Rule::Weight, "the weight")
+    }
+}
