@@ -5,6 +5,7 @@ use num_traits::Zero;
 use super::bound_function::{BoundFunction, Curve};
 use super::nets::{self, WEIGHTS};
 use crate::bound::constant::{At, Proof};
+use crate::bound::word::Word;
 use crate::bound::{Against, Constant, Prover};
 use crate::certificate::Certificate;
 use crate::lp::Rows;
@@ -39,8 +40,8 @@ pub const MESH_LEVELS: usize = 3;
 /// The steps j for which c_l is computed for every l.
 pub const STEPS: usize = 3;
 
-/// The largest level at which depths are sought.
-const DEEPEST: usize = 3;
+/// The largest level at which depths are sought: some steps more than the formulas ask for.
+const DEEPEST: usize = 20;
 
 /// Relative gap of enclosures.
 const GAP: f64 = 1e-8;
@@ -87,6 +88,8 @@ pub struct Valence {
     pub beta_is_sharp: bool,
     /// The depths for ε: control mesh, limit mesh.
     pub depths: [Option<Depth>; 2],
+    /// At valence 6: δ_1 .. δ_15 of the whole face.
+    pub deltas: Option<Vec<Proved>>,
     /// Certificates by file name.
     pub certificates: Vec<(String, Certificate)>,
 }
@@ -184,6 +187,11 @@ impl Valence {
             examiner.depth(Against::Control, &control, &epsilon),
             examiner.depth(Against::Limit, &limit, &epsilon),
         ];
+        let deltas = (0..15).map(|i| {
+            let whole = Constant::Coefficient(Word::EMPTY, i);
+            (n == 6).then(|| examiner.prove(whole, GAP))?
+        });
+        let deltas = deltas.collect();
         let beta_file = examiner.prove(Constant::Beta, GAP).map(|beta| beta.file);
         let bound_function = BoundFunction::prove(&mut examiner.prover);
         let beta_is_sharp = match (&bound_function, &limit[0]) {
@@ -204,6 +212,7 @@ impl Valence {
             beta_file,
             beta_is_sharp,
             depths,
+            deltas,
             certificates: examiner.certificates,
         })
     }
@@ -228,7 +237,7 @@ impl Valence {
 
 /// Where a net attains its value, in words.
 pub fn place(at: &At) -> String {
-    let part = |word: &crate::bound::word::Word| match word.is_empty() {
+    let part = |word: &Word| match word.is_empty() {
         true => "the face".to_string(),
         false => format!("part {word}"),
     };
@@ -236,6 +245,7 @@ pub fn place(at: &At) -> String {
         At::Point(word, v, w) => format!("at ({v}, {w}) of {}", part(word)),
         At::Difference(word, l) => format!("in difference {} of {}", l + 1, part(word)),
         At::Claimed => "in the coefficient".into(),
+        At::Tile { word, v, w, .. } => format!("at ({v}, {w}) of {}", part(word)),
     }
 }
 
