@@ -6,7 +6,13 @@ use plotters::prelude::*;
 use crate::paper::{Look, Plot, Series};
 
 /// Size in pixels.
-const SIZE: (u32, u32) = (900, 560);
+const SIZE: (u32, u32) = (960, 560);
+
+/// Width of the legend in pixels.
+const LEGEND: u32 = 220;
+
+/// Half the size of a cross in pixels.
+const CROSS: i32 = 6;
 
 /// Colours that differ for colour-blind readers too (Okabe & Ito).
 const COLOURS: [RGBColor; 8] = [
@@ -54,8 +60,10 @@ fn draw(area: &Area<'_>, plot: &Plot) -> Drawn {
     else {
         return Ok(());
     };
+    let (area, legend) = area.split_horizontally(SIZE.0 - LEGEND);
+    draw_legend(&legend, plot)?;
     let x = left - 0.5..right + 0.5;
-    let mut builder = ChartBuilder::on(area);
+    let mut builder = ChartBuilder::on(&area);
     builder
         .caption(&plot.title, (FONT, 22))
         .margin(18)
@@ -70,52 +78,59 @@ fn draw(area: &Area<'_>, plot: &Plot) -> Drawn {
                 .x_desc(plot.x)
                 .y_desc(plot.y)
                 .x_labels(((right - left) as usize + 2).min(24))
-                .x_label_formatter(&|x| {
-                    if x.fract() == 0.0 {
-                        format!("{x}")
-                    } else {
-                        String::new()
-                    }
+                .x_label_formatter(&|x| match x.fract() == 0.0 {
+                    true => format!("{x}"),
+                    false => String::new(),
                 })
+                .y_labels(12)
                 .y_label_formatter(&$label)
                 .label_style((FONT, 16))
                 .axis_desc_style((FONT, 17))
-                .light_line_style(WHITE)
-                .bold_line_style(RGBColor(225, 225, 225))
+                .light_line_style(RGBColor(242, 242, 242))
+                .bold_line_style(RGBColor(220, 220, 220))
                 .draw()?;
             for (series, colour) in plot.series.iter().zip(colours(plot)) {
-                let style = colour.stroke_width(2);
-                let drawn = match series.look {
-                    Look::Line => chart.draw_series(
-                        LineSeries::new(series.points.iter().copied(), style).point_size(3),
-                    )?,
-                    Look::Crosses => {
-                        chart.draw_series(series.points.iter().map(|&p| Cross::new(p, 6, style)))?
-                    }
-                };
-                drawn.label(series.name.as_str());
+                let line = colour.stroke_width(2);
+                let marks = series.points.iter();
                 match series.look {
                     Look::Line => {
-                        drawn.legend(move |(x, y)| PathElement::new([(x, y), (x + 24, y)], style))
+                        chart.draw_series(LineSeries::new(series.points.iter().copied(), line))?;
+                        chart.draw_series(marks.map(|&p| Circle::new(p, 3, colour.filled())))?;
                     }
-                    Look::Crosses => drawn.legend(move |(x, y)| Cross::new((x + 12, y), 6, style)),
-                };
+                    Look::Crosses => {
+                        chart.draw_series(marks.map(|&p| Cross::new(p, CROSS, line)))?;
+                    }
+                }
             }
-            chart
-                .configure_series_labels()
-                .position(SeriesLabelPosition::Coordinate(0, 0))
-                .draw()?;
         }};
     }
     if plot.logarithmic {
-        chart!((low * 0.8..high * 1.25).log_scale(), |y: &f64| format!(
-            "{y}"
-        ));
+        let whole = |y: &f64| format!("{}", (y * 1e9).round() / 1e9);
+        chart!((low * 0.8..high * 1.25).log_scale(), whole);
     } else {
         let pad = 0.08 * (high - low).max(1e-9);
+        let digits = if high - low < 0.1 { 3 } else { 2 };
         chart!((low - pad).max(0.0)..high + pad, |y: &f64| format!(
-            "{y:.2}"
+            "{y:.digits$}"
         ));
+    }
+    Ok(())
+}
+
+/// Names beside the plot, where they cover nothing.
+fn draw_legend(area: &Area<'_>, plot: &Plot) -> Drawn {
+    let font = (FONT, 16).into_font();
+    for (i, (series, colour)) in plot.series.iter().zip(colours(plot)).enumerate() {
+        let y = 66 + 26 * i as i32;
+        let line = colour.stroke_width(2);
+        match series.look {
+            Look::Line => {
+                area.draw(&PathElement::new([(0, y), (28, y)], line))?;
+                area.draw(&Circle::new((14, y), 3, colour.filled()))?;
+            }
+            Look::Crosses => area.draw(&Cross::new((14, y), CROSS, line))?,
+        }
+        area.draw(&Text::new(series.name.as_str(), (38, y - 8), font.clone()))?;
     }
     Ok(())
 }

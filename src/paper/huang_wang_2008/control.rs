@@ -19,7 +19,7 @@ use super::words::{
     DIGITS, all, bounds, by_verdict, claim, decimal, failures, gravest, judge, list, ranges,
 };
 use crate::paper::{Claim, Counterexample, Enclosure, Printed, Table, Verdict};
-use crate::scalar::{Cyclotomic, Field, Ring};
+use crate::scalar::{Cyclotomic, Field, Rational, Ring};
 
 /// A reading of the factor of (15).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +60,18 @@ impl Valence {
                 Some(Enclosure::algebraic(&(larger * &series)))
             }
         }
+    }
+
+    /// C_λ(n) with n b and with the rates as Table 1 prints them, if it does.
+    fn by_15_with_printed_rates(&self, lambda: usize) -> Option<Enclosure> {
+        let rates = printed::TABLE_1.iter().take(lambda);
+        let rates = rates.map(|row| Some(printed::at(row, self.n)?.exact()));
+        let rates: Vec<Rational> = rates.collect::<Option<_>>()?;
+        let one = <Rational as Ring>::from_integer(1);
+        let (last, others) = rates.split_last()?;
+        let sum = others.iter().fold(one.clone(), |sum, rate| sum + rate);
+        let series = Enclosure::exactly(sum / (one - last));
+        Some(Enclosure::algebraic(&self.ring_weight).times(&series))
     }
 
     /// C_0(n).
@@ -190,13 +202,13 @@ fn table_2(found: &Findings) -> Claim {
         (v.n, judge(*p, method.as_ref(), v.best_control()))
     };
     let verdicts: Vec<_> = entries.iter().map(judged).collect();
-    let same = |reading| {
-        let same = entries.iter().filter(|(v, p)| {
-            let value = v.by_15(reading, LAMBDA);
-            value.and_then(|value| p.compare(&value)) == Some(Ordering::Equal)
-        });
+    let same = |of: &dyn Fn(&Valence) -> Option<Enclosure>| {
+        let same = entries
+            .iter()
+            .filter(|(v, p)| of(v).and_then(|value| p.compare(&value)) == Some(Ordering::Equal));
         ranges(same.map(|(v, _)| v.n))
     };
+    let by = |reading| same(&move |v: &Valence| v.by_15(reading, LAMBDA));
     let valid = entries.iter().map(|(v, p)| bounds(*p, v.best_control()?));
     let valid = match all(valid) {
         Some(true) => "all printed values are true bounds",
@@ -214,10 +226,12 @@ fn table_2(found: &Findings) -> Claim {
     });
     Claim {
         method: Some(format!(
-            "printed = (15) with β(n) at n = {}; with n b at n = {}; with max(n b, 3/8) at n = {}",
-            same(Reading::Symbol),
-            same(Reading::RingWeight),
-            same(Reading::Displacement)
+            "printed = (15) with β(n) at n = {}; with n b at n = {}; with n b and the rates rounded as in \
+             Table 1 at n = {}; with max(n b, 3/8) at n = {}",
+            by(Reading::Symbol),
+            by(Reading::RingWeight),
+            same(&|v| v.by_15_with_printed_rates(LAMBDA)),
+            by(Reading::Displacement)
         )),
         certificates: found.files(|v| v.control[0].as_ref()),
         ..claim(

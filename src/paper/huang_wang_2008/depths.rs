@@ -6,7 +6,8 @@ use num_traits::{One, Zero};
 
 use super::control::Reading;
 use super::depth::steps;
-use super::valence::{Depth, LEVELS, RATES, Valence};
+use super::needed::Depth;
+use super::valence::{LEVELS, RATES, Valence};
 use super::words::{DIGITS, all, by_verdict, claim, failures, gravest, list, ranges};
 use super::{Findings, printed};
 use crate::paper::{Claim, Enclosure, Table, Verdict};
@@ -75,10 +76,9 @@ fn judge(v: &Valence, mesh: Mesh, printed: i64) -> Verdict {
         return Verdict::Undecided;
     };
     match (depth.depth as i64).cmp(&printed) {
-        Ordering::Equal if depth.necessary => Verdict::Sharp,
+        Ordering::Equal => Verdict::Sharp,
         Ordering::Less => Verdict::Loose,
-        Ordering::Greater if depth.necessary => Verdict::Refuted,
-        _ => Verdict::Undecided,
+        Ordering::Greater => Verdict::Refuted,
     }
 }
 
@@ -103,11 +103,7 @@ pub fn table(found: &Findings) -> Table {
                 by(2),
                 by(3),
                 depth.map_or("?".into(), |d| d.depth.to_string()),
-                match depth {
-                    Some(depth) if depth.necessary => "proved impossible",
-                    _ => "?",
-                }
-                .into(),
+                depth.map_or("?", |_| "impossible").into(),
                 judge(v, mesh, printed).to_string(),
                 depth.map_or("-".into(), |d| d.files.join(" ")),
             ]);
@@ -123,7 +119,8 @@ pub fn table(found: &Findings) -> Table {
         rows,
         notes: vec![
             "λ = 1, 2, 3: (16) with C_λ read with n b, and (14), redone exactly. Sharp: the least k with \
-             C_k <= ε / M or B_k <= ε / M; a net that needs so many steps is in the second certificate."
+             C_k <= ε / M or B_k <= ε / M, fewer steps being proved impossible: a net that needs so many is \
+             in the second certificate."
                 .into(),
         ],
     }
@@ -485,9 +482,7 @@ fn improvement(found: &Findings) -> Claim {
     });
     let sharp = entries.iter().map(|(v, ..)| {
         let saved = match &v.depths {
-            [Some(control), Some(limit)] if control.necessary && limit.necessary => {
-                (control.depth as i64 - limit.depth as i64).to_string()
-            }
+            [Some(control), Some(limit)] => (control.depth as i64 - limit.depth as i64).to_string(),
             _ => "?".into(),
         };
         (v.n, saved)

@@ -7,7 +7,7 @@
 //! | Table 1, Lemma 1, what is said of rates | `rates.rs` | rates and mesh rates, exact |
 //! | Theorem 3, β(n), facts 1 and 2 | `limit.rs`, `bound_function.rs` | the paper's method on intervals; B_0 |
 //! | (15), C_3(n) | `control.rs` | (15) in three readings, exact; C_0 |
-//! | Theorem 4, (14), (16), Table 3 | `depth.rs`, `depths.rs` | exact ceilings; C_k, B_k |
+//! | Theorem 4, (14), (16), Table 3 | `depth.rs`, `depths.rs`, `needed.rs` | exact ceilings; C_k, B_k |
 //! | limit mesh against control mesh | `comparison.rs` | C_k against B_k |
 //!
 //! Printed numbers are in [`printed`]; everything else is computed by [`examine`].
@@ -18,6 +18,7 @@ mod control;
 pub mod depth;
 mod depths;
 mod limit;
+mod needed;
 pub mod nets;
 mod plots;
 pub mod printed;
@@ -83,17 +84,20 @@ pub fn examine(valences: &[u32], tell: &(dyn Fn(u32, u32) + Sync)) -> Result<Rep
     all.push(6);
     all.sort_unstable();
     all.dedup();
+    all.reverse();
     let done = AtomicU32::new(0);
     let examine = |&n: &u32| {
         let valence = Valence::examine(n, printed::TABLE_3_RATIO).ok_or(NoRates(n));
         tell(done.fetch_add(1, Ordering::Relaxed) + 1, all.len() as u32);
         valence
     };
-    let examined: Vec<Valence> = all
+    // Large valences take longest: they go first.
+    let mut examined: Vec<Valence> = all
         .par_iter()
         .with_max_len(1)
         .map(examine)
         .collect::<Result<_, _>>()?;
+    examined.reverse();
     let regular = examined
         .iter()
         .find(|v| v.n == 6)

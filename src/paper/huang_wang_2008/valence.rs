@@ -3,6 +3,7 @@
 use num_traits::Zero;
 
 use super::bound_function::{BoundFunction, Curve};
+use super::needed::Depth;
 use super::nets::{self, WEIGHTS};
 use crate::bound::constant::{At, Proof};
 use crate::bound::word::Word;
@@ -40,26 +41,11 @@ pub const MESH_LEVELS: usize = 3;
 /// The steps j for which c_l is computed for every l.
 pub const STEPS: usize = 3;
 
-/// The largest level at which depths are sought: some steps more than the formulas ask for.
-const DEEPEST: usize = 20;
-
 /// Relative gap of enclosures.
 const GAP: f64 = 1e-8;
 
 /// The same at levels where only a comparison with ε is needed.
-const DEEP_GAP: f64 = 1e-4;
-
-/// The subdivision depth that ε asks for.
-#[derive(Clone, Debug)]
-pub struct Depth {
-    /// The smallest k with a constant of level k proved <= ε.
-    pub depth: usize,
-    /// Whether the constant of the level before is proved > ε: the net of that proof needs so many
-    /// steps.
-    pub necessary: bool,
-    /// Certificates: of the level, and of the one before.
-    pub files: Vec<String>,
-}
+const DEEP_GAP: f64 = 1e-2;
 
 /// What is known of one valence.
 #[derive(Clone, Debug)]
@@ -123,40 +109,24 @@ impl Examiner {
         Some(Proved { value, ..proved })
     }
 
-    /// The smallest level at which the distance is proved to be at most ε = 1 / `ratio`.
+    /// The depth needed for ε, given the first levels.
     fn depth(
         &mut self,
         against: Against,
         known: &[Option<Proved>],
         epsilon: &Enclosure,
     ) -> Option<Depth> {
-        let mut before: Option<Proved> = None;
-        for k in 0..=DEEPEST.max(known.len() - 1) {
-            let level = match known.get(k) {
-                Some(known) => known.clone()?,
-                None => {
-                    let constant = Constant::Distance(against, k);
-                    let rough = self.prove(constant, DEEP_GAP)?;
-                    match rough.value.at_most(epsilon) {
-                        Some(_) => rough,
-                        None => self.prove(constant, GAP)?,
-                    }
-                }
-            };
-            if level.value.at_most(epsilon)? {
-                let needs = before
-                    .as_ref()
-                    .filter(|b| b.value.at_most(epsilon) == Some(false));
-                let files = needs.iter().map(|b| b.file.clone());
-                return Some(Depth {
-                    depth: k,
-                    necessary: k == 0 || needs.is_some(),
-                    files: std::iter::once(level.file).chain(files).collect(),
-                });
+        Depth::seek(against, epsilon, &mut |k| {
+            if let Some(known) = known.get(k) {
+                return known.clone();
             }
-            before = Some(level);
-        }
-        None
+            let constant = Constant::Distance(against, k);
+            let rough = self.prove(constant, DEEP_GAP)?;
+            match rough.value.at_most(epsilon) {
+                Some(_) => Some(rough),
+                None => self.prove(constant, GAP),
+            }
+        })
     }
 }
 
