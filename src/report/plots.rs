@@ -83,6 +83,8 @@ fn draw(area: &Area<'_>, plot: &Plot) -> Drawn {
                     false => String::new(),
                 })
                 .y_labels(12)
+                .x_max_light_lines(0)
+                .y_max_light_lines(if plot.logarithmic { 10 } else { 0 })
                 .y_label_formatter(&$label)
                 .label_style((FONT, 16))
                 .axis_desc_style((FONT, 17))
