@@ -13,10 +13,10 @@ use num_bigint::BigInt;
 use super::cell::{self, By, quarters};
 use super::constant::{At, Conclusion, Constant, Proof};
 use super::nets::Against;
-use super::prover::{
-    Bound, CellProof, Failure, Prover, Tail, TailKind, Target, rationals_near, reasons,
-};
+use super::part::{CellProof, rationals_near, reasons};
+use super::prover::{Bound, Prover, Target};
 use super::quartic;
+use super::tail::{Tail, TailKind};
 use super::value::Value;
 use super::word::Word;
 use crate::bernstein::Patch;
@@ -73,7 +73,7 @@ impl Prover {
                 let hi = lo.sup() * (1.0 + gap * 0.5);
                 self.rational_bound(&Rational::from_float(hi)?)
             };
-            let Ok(conclusion) = self.tiles(&mut tiles, &lemma, &bound) else {
+            let Some(conclusion) = self.tiles(&mut tiles, &lemma, &bound) else {
                 continue;
             };
             return Some(Proof {
@@ -115,7 +115,7 @@ impl Prover {
         tiles: &mut Vec<TileMethod>,
         lemma: &super::constant::Lemma,
         bound: &Bound,
-    ) -> Result<Conclusion, Failure> {
+    ) -> Option<Conclusion> {
         for steps in 0..=12 {
             let tail = Tail {
                 kind: TailKind::Distance(Against::Limit, 0),
@@ -123,7 +123,7 @@ impl Prover {
                 depth: lemma.depth,
                 bound: lemma.bound.clone(),
             };
-            let Ok(tail) = self.prove_tail(&tail, bound) else {
+            let Some(tail) = self.prove_tail(&tail, bound) else {
                 continue;
             };
             let mut cells = Vec::new();
@@ -131,23 +131,19 @@ impl Prover {
                 for letter in [1, 2] {
                     let word = Word::zeros(ring).child(letter);
                     if !tiles.iter().any(|tile| tile.word == word) {
-                        tiles.push(self.tile(word).ok_or(Failure::TooFine)?);
+                        tiles.push(self.tile(word)?);
                     }
-                    let tile = tiles
-                        .iter()
-                        .find(|t| t.word == word)
-                        .ok_or(Failure::TooFine)?;
+                    let tile = tiles.iter().find(|t| t.word == word)?;
                     let bases = tile.bases.clone();
-                    let weights =
-                        (self.exact_weights(word, TARGET, &bases)).ok_or(Failure::TooFine)?;
+                    let weights = (self.exact_weights(word, TARGET, &bases))?;
                     let by = self.reason(&tile.float, &weights, bound, DEEPEST);
-                    let by = by.ok_or(Failure::TooFine)?;
+                    let by = by?;
                     cells.push(CellProof { word, bases, by });
                 }
             }
-            return Ok(Conclusion::Tiles { steps, cells, tail });
+            return Some(Conclusion::Tiles { steps, cells, tail });
         }
-        Err(Failure::TooFine)
+        None
     }
 
     /// A reason why a quartic is below a bound, exact; splits it where it must.

@@ -40,17 +40,25 @@
 mod beta;
 pub mod cell;
 pub mod constant;
+mod distance;
 mod export;
 pub mod face_rate;
 pub mod functional;
+mod lemma;
 pub mod nets;
+mod part;
 mod prover;
 pub mod quartic;
+mod rate;
+mod search;
 mod table;
+mod tail;
 pub mod value;
 pub mod word;
 
 pub use constant::{Constant, Proof};
 pub use nets::Against;
-pub use prover::{Candidate, CellProof, Prover, TailProof};
+pub use part::CellProof;
+pub use prover::{Bound, Candidate, Prover};
 pub use table::{Row, tabulate};
+pub use tail::TailProof;

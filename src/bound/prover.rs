@@ -1,20 +1,21 @@
-//! The prover of one valence: floats propose bases and points, exact arithmetic accepts them.
+//! The prover of one valence: what floats propose and where exact arithmetic is asked.
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use ethnum::I256;
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-use super::cell::{self, By};
+use super::cell;
 use super::constant::Lemma;
 use super::functional::{ExactFunctional, FloatFunctional, Integer};
 use super::nets::{Against, Exact, Floats, Nets, Space, bits_needed};
-use super::quartic;
+use super::search::Witness;
 use super::value::{RingWeight, Value};
-use super::word::{LONGEST_WORD, Word};
+use super::word::Word;
 use crate::lp::{Basis, Rows};
-use crate::scalar::{Interval, Rational, ShortRational};
+use crate::scalar::Rational;
 use crate::scheme::{LoopWeights, loop_scheme};
 
 /// What is bounded over a part.
@@ -44,20 +45,6 @@ impl Candidate {
     }
 }
 
-/// One part, the basis its multipliers are in, and why the bound holds.
-#[derive(Clone, Debug)]
-pub struct CellProof {
-    /// The part.
-    pub word: Word,
-    /// Indices of candidates: one for all 15 coefficients, or one for each.
-    pub bases: Vec<usize>,
-    /// The reason.
-    pub by: By,
-}
-
-/// Bases for the functionals of a tail: `[corner][sign][l]`.
-pub type TailProof = Vec<[Vec<usize>; 2]>;
-
 /// A bound to prove: the number and, for floats, its size.
 #[derive(Clone, Debug)]
 pub struct Bound {
@@ -67,45 +54,20 @@ pub struct Bound {
 }
 
 /// Why a bound was not proved.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Failure {
-    /// A proposal exceeds it: the constant seems to be at least this.
-    Exceeded(f64),
-    /// Parts became too small.
-    TooFine,
-}
-
-/// A point where a large value was found.
 #[derive(Clone, Debug)]
-pub struct Witness {
-    /// The value in `f64`.
-    pub value: f64,
-    /// The part.
-    pub word: Word,
-    /// Parameters in the part.
-    pub at: [f64; 2],
-    /// The candidate whose net attains it.
-    pub net: usize,
+pub enum Failure {
+    /// A proposal exceeds it: so, it seems, does the constant.
+    Attained(Witness),
+    /// No proof was found.
+    Unproved,
 }
 
 /// Relative slack of float comparisons: what they reject wrongly costs a split, what they accept
 /// wrongly is rejected exactly.
-const SLACK: f64 = 1e-12;
+pub(super) const SLACK: f64 = 1e-12;
 
 /// Bits that factors of fixed-size integers may have.
 const WORD_BITS: u32 = 190;
-
-/// Parts smaller than this many levels below their tile are given up.
-const DEEPEST: usize = 12;
-
-/// Bits of the denominators of parameters in proofs.
-const PARAMETER_BITS: i32 = 30;
-
-/// One basis for each coefficient is tried where c with one basis is at most so many times the bound.
-const NEAR: f64 = 1.25;
-
-/// How many of the latest bases are tried before a new one is made.
-const RECENT: usize = 8;
 
 /// The prover of one valence and weights.
 #[derive(Debug)]
@@ -115,11 +77,11 @@ pub struct Prover {
     /// The second differences.
     pub rows: Rows,
     pub(super) floats: Nets<Floats>,
-    words: Nets<Exact<I256>>,
-    big: Nets<Exact<BigInt>>,
-    candidates: Vec<Candidate>,
+    pub(super) words: Nets<Exact<I256>>,
+    pub(super) big: Nets<Exact<BigInt>>,
+    pub(super) candidates: Vec<Candidate>,
     known: HashMap<Vec<usize>, usize>,
-    float_targets: HashMap<(Word, Target), std::rc::Rc<Vec<FloatFunctional>>>,
+    float_targets: HashMap<(Word, Target), Rc<Vec<FloatFunctional>>>,
     pub(super) main_lemma: Option<Lemma>,
 }
 
@@ -208,26 +170,22 @@ impl Prover {
         cell::float_weight(t, &self.candidates[basis].columns)
     }
 
-    pub(super) fn float_target(
-        &mut self,
-        word: Word,
-        target: Target,
-    ) -> std::rc::Rc<Vec<FloatFunctional>> {
+    pub(super) fn float_target(&mut self, word: Word, target: Target) -> Rc<Vec<FloatFunctional>> {
         if let Some(known) = self.float_targets.get(&(word, target)) {
             return known.clone();
         }
-        let made = std::rc::Rc::new(target_of(&mut self.floats, word, target).to_vec());
+        let made = Rc::new(target_of(&mut self.floats, word, target).to_vec());
         self.float_targets.insert((word, target), made.clone());
         made
     }
 
     /// Whether [`WORD_BITS`] suffice for the exact functionals of a word and their weights.
-    fn fits(&self, word: Word) -> bool {
+    pub(super) fn fits(&self, word: Word) -> bool {
         self.fits_times(word, 0)
     }
 
     /// The same after a product with numbers of so many bits.
-    fn fits_times(&self, word: Word, bits: u32) -> bool {
+    pub(super) fn fits_times(&self, word: Word, bits: u32) -> bool {
         // Inverses of second differences have entries below 2^8; a weight sums n + 9 multipliers.
         // (Numbers that did leave them would stop the program, not spoil the result.)
         bits_needed(self.valence(), word) + 8 + 10 + bits < WORD_BITS
@@ -261,108 +219,6 @@ impl Prover {
         }
     }
 
-    /// Proves the bound over every part of `0^depth` but `0^(depth + steps)`, up to mirroring.
-    pub(super) fn prove_rings(
-        &mut self,
-        target: Target,
-        depth: usize,
-        steps: usize,
-        bound: &Bound,
-    ) -> Result<Vec<CellProof>, Failure> {
-        let mut cells = Vec::new();
-        for ring in depth..depth + steps {
-            for letter in [1, 2] {
-                let word = Word::zeros(ring).child(letter);
-                self.prove_part(word, target, bound, None, &mut cells)?;
-            }
-        }
-        Ok(cells)
-    }
-
-    fn prove_part(
-        &mut self,
-        word: Word,
-        target: Target,
-        bound: &Bound,
-        hint: Option<usize>,
-        cells: &mut Vec<CellProof>,
-    ) -> Result<(), Failure> {
-        let level = match target {
-            Target::Distance(_, k) => k,
-            Target::Linear(_) => 0,
-        };
-        let mut hint = hint;
-        if word.len() < level {
-            if self.close_regular(word, target, bound, cells)? {
-                return Ok(());
-            }
-        } else {
-            let (accepted, best) = self.prove_cell(word, target, bound, hint, cells)?;
-            if accepted {
-                return Ok(());
-            }
-            hint = best;
-        }
-        let tile = word.leading_zeros() + 1;
-        if word.len() >= tile.max(level) + DEEPEST || word.len() + 1 >= LONGEST_WORD {
-            return Err(Failure::TooFine);
-        }
-        let symmetric = word.mirror() == word;
-        for letter in 0..4 {
-            if !(symmetric && letter == 3) {
-                self.prove_part(word.child(letter), target, bound, hint, cells)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Tries to close a part above level k by its second differences.
-    fn close_regular(
-        &mut self,
-        word: Word,
-        target: Target,
-        bound: &Bound,
-        cells: &mut Vec<CellProof>,
-    ) -> Result<bool, Failure> {
-        let Target::Distance(against, level) = target else {
-            return Ok(false);
-        };
-        let factor = cell::regular_factor(against, level - word.len());
-        let float = Interval::from_rational(&factor).mid();
-        let limit = bound.float * (1.0 + SLACK);
-        let mut bases: Vec<usize> = Vec::with_capacity(15);
-        for t in self.floats.differences(word) {
-            let fits = |&&b: &&usize| self.float_weight(&t, b) * float <= limit;
-            let known = bases.iter().rev().find(fits).copied();
-            let index = match known {
-                Some(index) => index,
-                None => {
-                    let hint = bases.last().copied();
-                    let (index, value) = self.propose(&t, hint).ok_or(Failure::TooFine)?;
-                    if value * float > limit {
-                        return Ok(false);
-                    }
-                    index
-                }
-            };
-            bases.push(index);
-        }
-        for (l, &index) in bases.iter().enumerate() {
-            let Some(value) = self.difference_weight(word, l, index) else {
-                return Ok(false);
-            };
-            if !self.weight.at_most(&(value * &factor), &bound.value) {
-                return Ok(false);
-            }
-        }
-        cells.push(CellProof {
-            word,
-            bases,
-            by: By::Regular,
-        });
-        Ok(true)
-    }
-
     /// The exact weight of a second difference of a word's net in a candidate's basis.
     pub(super) fn difference_weight(
         &mut self,
@@ -387,165 +243,6 @@ impl Prover {
         let difference = self.big.difference(word, l);
         let scaled = self.big.space_scale(&difference);
         self.value_at(&scaled, net)
-    }
-
-    /// Tries to close one part; whether it did, and a basis to go on from.
-    fn prove_cell(
-        &mut self,
-        word: Word,
-        target: Target,
-        bound: &Bound,
-        hint: Option<usize>,
-        cells: &mut Vec<CellProof>,
-    ) -> Result<(bool, Option<usize>), Failure> {
-        let limit = bound.float * (1.0 + SLACK);
-        let t = self.float_target(word, target);
-        let mut recent: Vec<usize> = Vec::with_capacity(RECENT);
-        for cell in cells.iter().rev() {
-            let [basis] = cell.bases[..] else { continue };
-            if recent.len() < RECENT && !recent.contains(&basis) {
-                recent.push(basis);
-            }
-        }
-        for basis in recent {
-            let below = |t: &FloatFunctional| self.float_weight(t, basis) <= limit;
-            let c = || std::array::from_fn(|i| self.float_weight(&t[i], basis));
-            if t.iter().all(below) && {
-                let c = c();
-                self.close_by(word, target, &c, &[basis], bound, cells)
-            } {
-                return Ok((true, hint));
-            }
-        }
-        let centre = mean(&t);
-        let hint = hint.or(cells.last().map(|cell| cell.bases[0]));
-        let (basis, value) = self.propose(&centre, hint).ok_or(Failure::TooFine)?;
-        if value > limit {
-            return Err(Failure::Exceeded(value));
-        }
-        let closed = self.close(word, target, &t, basis, bound, cells)?;
-        Ok((closed, Some(basis)))
-    }
-
-    /// Tries the three reasons, with one basis for all coefficients, then with one for each.
-    fn close(
-        &mut self,
-        word: Word,
-        target: Target,
-        t: &[FloatFunctional],
-        basis: usize,
-        bound: &Bound,
-        cells: &mut Vec<CellProof>,
-    ) -> Result<bool, Failure> {
-        let limit = bound.float * (1.0 + SLACK);
-        let values: [f64; 15] = std::array::from_fn(|i| t[i].at(&self.candidates[basis].net));
-        if !matches!(target, Target::Linear(_)) {
-            // Is the basis' own net above the bound somewhere?
-            let (value, _) = quartic::sample(&values);
-            if value > limit {
-                return Err(Failure::Exceeded(value));
-            }
-        }
-        let c: [f64; 15] = std::array::from_fn(|i| self.float_weight(&t[i], basis));
-        if self.close_by(word, target, &c, &[basis], bound, cells) {
-            return Ok(true);
-        }
-        if quartic::sample(&c).0 > bound.float * NEAR {
-            return Ok(false);
-        }
-        // Where the optimum is degenerate, multipliers change their signs within the part: the best
-        // basis of each coefficient gives the least c.
-        let mut bases = Vec::with_capacity(15);
-        let mut least = [0.0; 15];
-        for (i, t) in t.iter().enumerate() {
-            let (index, _) = self.propose(t, Some(basis)).ok_or(Failure::TooFine)?;
-            least[i] = self.float_weight(t, index);
-            bases.push(index);
-        }
-        Ok(self.close_by(word, target, &least, &bases, bound, cells))
-    }
-
-    /// Tries the three reasons for the quartic c.
-    fn close_by(
-        &mut self,
-        word: Word,
-        target: Target,
-        c: &[f64; 15],
-        bases: &[usize],
-        bound: &Bound,
-        cells: &mut Vec<CellProof>,
-    ) -> bool {
-        let reasons = reasons(c, bound.float);
-        let linear = matches!(target, Target::Linear(_));
-        let reasons: Vec<By> = (reasons.into_iter())
-            .filter(|by| !linear || *by == By::Hull)
-            .collect();
-        if reasons.is_empty() {
-            return false;
-        }
-        let Some(weights) = self.exact_weights(word, target, bases) else {
-            return false;
-        };
-        let by =
-            (reasons.into_iter()).find(|by| cell::holds(&self.weight, &weights, by, &bound.value));
-        let holds = by.is_some();
-        cells.extend(by.map(|by| CellProof {
-            word,
-            bases: bases.to_vec(),
-            by,
-        }));
-        holds
-    }
-
-    /// Proves the bound for `base_c + s D (α_l ∘ A^level) scale`, s = 1, -1, all l, with exact bases.
-    /// `tail` says which functionals these are.
-    pub(super) fn prove_tail(&mut self, tail: &Tail, bound: &Bound) -> Result<TailProof, Failure> {
-        let limit = bound.float * (1.0 + SLACK);
-        let (bases, differences) = tail.functionals(&mut self.floats);
-        let factor = tail.bound.float;
-        let mut used: Vec<usize> = Vec::new();
-        let mut proof = Vec::new();
-        for base in &bases {
-            let mut signs: [Vec<usize>; 2] = Default::default();
-            for (sign, list) in [1.0, -1.0].into_iter().zip(&mut signs) {
-                for difference in &differences {
-                    let t = base.plus(sign * factor, difference);
-                    let fits = |&&b: &&usize| self.float_weight(&t, b) <= limit;
-                    let found = used.iter().rev().find(fits).copied();
-                    let index = match found {
-                        Some(index) => index,
-                        None => {
-                            let hint = used.last().copied();
-                            let (index, value) = self.propose(&t, hint).ok_or(Failure::TooFine)?;
-                            if value > limit {
-                                return Err(Failure::Exceeded(value));
-                            }
-                            used.push(index);
-                            index
-                        }
-                    };
-                    list.push(index);
-                }
-            }
-            proof.push(signs);
-        }
-        let word = Word::zeros(tail.level() + tail.depth);
-        let exact = if self.fits_times(word, tail.bits(self.valence())) {
-            tail.holds(
-                &mut self.words,
-                &self.weight,
-                &self.candidates,
-                &proof,
-                bound,
-            )
-        } else {
-            tail.holds(&mut self.big, &self.weight, &self.candidates, &proof, bound)
-        };
-        if exact {
-            Ok(proof)
-        } else {
-            Err(Failure::TooFine)
-        }
     }
 
     /// The exact weight of one functional in a candidate's basis, in the smallest arithmetic that
@@ -597,166 +294,20 @@ impl Prover {
         let t = self.big.corner_target(against, k);
         self.value_at(&t, net)
     }
+
+    /// |value|, of a value whose sign is known.
+    pub(super) fn absolute(&self, value: Value) -> Value {
+        if self.weight.at_most(&value, &Value::zero()) {
+            Value::zero() - &value
+        } else {
+            value
+        }
+    }
 }
 
 fn target_of<A: Space>(nets: &mut Nets<A>, word: Word, target: Target) -> [A::V; 15] {
     match target {
         Target::Distance(against, k) => nets.target(word, against, k),
         Target::Linear(depth) => nets.linear_target(word, depth),
-    }
-}
-
-/// The reasons why a quartic could be below a bound, judged in `f64`, the simplest first.
-pub(super) fn reasons(c: &[f64; 15], bound: f64) -> Vec<By> {
-    let limit = bound * (1.0 + SLACK);
-    if c.iter().all(|c| *c <= limit) {
-        return vec![By::Hull];
-    }
-    let mut reasons = Vec::new();
-    if quartic::sample(c).0 > limit {
-        return reasons;
-    }
-    let (value, [v, w]) = quartic::maximise(c);
-    if value > limit {
-        return reasons;
-    }
-    for edge in 0..3 {
-        let on = cell::edge_indices(edge);
-        let f = on.map(|i| c[i]);
-        let off_below = (0..15).all(|i| on.contains(&i) || c[i] <= limit);
-        if off_below && quartic::is_concave_edge(&f) {
-            let (_, s) = quartic::maximise_edge(&f);
-            reasons.extend(rationals_near(s).map(|s| By::Edge(edge, s)));
-        }
-    }
-    if quartic::is_concave(c) {
-        let points = rationals_near(v).into_iter().zip(rationals_near(w));
-        reasons.extend(points.map(|(v, w)| By::Concave(v, w)));
-    }
-    reasons
-}
-
-/// The value at the middle of the triangle.
-fn mean(t: &[FloatFunctional]) -> FloatFunctional {
-    let weights = quartic::basis([1.0 / 3.0, 1.0 / 3.0]);
-    let terms = t.iter().zip(weights);
-    terms.fold(FloatFunctional::zero(), |sum, (t, w)| sum.plus(w, t))
-}
-
-/// The simplest rational near x, if there is one with a small denominator, and a dyadic one.
-pub(super) fn rationals_near(x: f64) -> [Rational; 2] {
-    let scale = 2f64.powi(PARAMETER_BITS);
-    let dyadic = Rational::new(
-        BigInt::from((x * scale).round() as i64),
-        BigInt::from(1u64 << PARAMETER_BITS),
-    );
-    let simple = (1i64..=64).find_map(|q| {
-        let p = (x * q as f64).round();
-        ((x * q as f64 - p).abs() < 1e-6).then(|| Rational::new((p as i64).into(), q.into()))
-    });
-    [simple.unwrap_or_else(|| dyadic.clone()), dyadic]
-}
-
-/// A tail: what is left of a face near its extraordinary corner, closed by a bound D of ‖S - F_0‖ over
-/// the words `0^depth`.
-#[derive(Clone, Debug)]
-pub struct Tail {
-    /// Whose distance.
-    pub kind: TailKind,
-    /// Number of steps K.
-    pub steps: usize,
-    /// The lemma's depth J.
-    pub depth: usize,
-    /// The lemma's bound D.
-    pub bound: Bound,
-}
-
-/// The functionals of a tail.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TailKind {
-    /// `F_K - F_k` at the corners of `0^(K+J)`, F_K the control triangle.
-    Distance(Against, usize),
-    /// The rule of order 1.
-    Linear,
-}
-
-impl Tail {
-    fn level(&self) -> usize {
-        self.steps
-    }
-
-    /// Bits that a product with D takes, D a polynomial of degree 1 in b as a rule.
-    fn bits(&self, n: u32) -> u32 {
-        let bits = |c: &Rational| (c.numer().bits() + c.denom().bits()) as u32;
-        let coefficients = self.bound.value.coefficients();
-        let largest = coefficients.iter().map(bits).max().unwrap_or(0);
-        largest + (coefficients.len() as u32) * (u32::BITS - n.leading_zeros())
-    }
-
-    /// The functionals without D (times the factor of the space), by corner, and the differences
-    /// (without the factor).
-    fn functionals<A: Space>(&self, nets: &mut Nets<A>) -> (Vec<A::V>, Vec<A::V>) {
-        let k = self.steps;
-        let [z0, z1] = nets.leading_points(k);
-        let differences = nets.differences(Word::zeros(k));
-        let side = 1i64 << self.depth;
-        let part = |p: i64, q: i64| <A::S as crate::scalar::Field>::ratio(p, q);
-        match self.kind {
-            TailKind::Distance(against, level) => {
-                let [f0, f1, _] = nets.mesh_at_corners(Word::zeros(k + self.depth), against, level);
-                let edge = z0.clone() * &part(side - 1, side) + &(z1 * &part(1, side));
-                (vec![z0 - &f0, edge - &f1], differences)
-            }
-            TailKind::Linear => {
-                let scale = 1i64 << k;
-                let [y0, y1] = nets.leading_points(0);
-                let t0 = nets.corner_target(Against::Control, 0);
-                // 2^K (L_1 - (1 - 2^-K) t_0), L_1 = (1-h) z_1 + h z_2 - (1 - h 2^-K) y_1 - h 2^-K y_2.
-                let edge = z0 * &part(side - 1, side) + &(z1 * &part(1, side));
-                let chord = y0 * &part(side * scale - 1, side) + &(y1 * &part(1, side));
-                let base = edge * &part(scale, 1) - &chord - &(t0 * &part(scale - 1, 1));
-                let scaled = |d: A::V| d * &part(scale, 1);
-                (vec![base], differences.into_iter().map(scaled).collect())
-            }
-        }
-    }
-
-    /// Whether every weight is at most the bound; exact.
-    fn holds<T: Integer>(
-        &self,
-        nets: &mut Nets<Exact<T>>,
-        weight: &RingWeight,
-        candidates: &[Candidate],
-        proof: &TailProof,
-        bound: &Bound,
-    ) -> bool {
-        let (bases, differences) = self.functionals(nets);
-        let short = |c: &Rational| -> Option<ShortRational> {
-            let (p, q) = (
-                i64::try_from(c.numer()).ok()?,
-                i64::try_from(c.denom()).ok()?,
-            );
-            Some(ShortRational::new_raw(p, q))
-        };
-        // D = p(b) / q: p times a difference is q times D times it.
-        let polynomial: Option<Vec<ShortRational>> =
-            self.bound.value.coefficients().iter().map(short).collect();
-        let Some(polynomial) = polynomial else {
-            return false;
-        };
-        let scaled: Vec<_> = (differences.iter())
-            .map(|d| d.times_polynomial(&polynomial))
-            .collect();
-        proof.iter().zip(&bases).all(|(signs, base)| {
-            scaled.iter().enumerate().all(|(l, difference)| {
-                let plus = base.clone() + difference;
-                let minus = base.clone() - difference;
-                [plus, minus].iter().zip(signs).all(|(t, list)| {
-                    let basis = &candidates[list[l]].basis;
-                    let value = cell::exact_weight(weight, t, basis);
-                    value.is_some_and(|value| weight.at_most(&value, &bound.value))
-                })
-            })
-        })
     }
 }

@@ -99,7 +99,7 @@ fn gap(text: &str) -> Result<f64, String> {
 
 /// Largest valence and level: beyond, one constant takes minutes.
 const LARGEST_VALENCE: u32 = 400;
-const HIGHEST_LEVEL: u32 = 6;
+const HIGHEST_LEVEL: u32 = 16;
 const HIGHEST_RATE_LEVEL: u32 = 16;
 
 impl Bound {

@@ -1,4 +1,6 @@
-//! Cells: a quartic of weights is at most the bound on its triangle, shown in one of three ways.
+//! Cells: a quartic of weights is at most the bound on its triangle, shown in one of four ways.
+
+use std::iter::repeat_n;
 
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -8,24 +10,31 @@ use crate::polynomial::Polynomial;
 use crate::rational::{decimal, ratio};
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::space::Space;
-use crate::word::{bernstein, exponents, index, is_in_triangle};
+use crate::word::{Triangle, barycentric, bernstein, exponents, index, is_in_triangle};
+
+/// The most splits inside each other.
+const SPLITS: usize = 12;
+
+type Bound<'a> = &'a Polynomial;
 
 /// Shows that the quartic with the coefficients `c / q` is at most `bound / q`.
 ///
 /// # Errors
 ///
-/// If and only if it is not shown: rule `cell-hull`, `cell-edge`, `cell-concave` or, for a way that
-/// there is not, `format`.
-pub fn check(space: &Space, c: &[Polynomial], bound: &Polynomial, by: &By) -> Outcome<()> {
+/// If and only if it is not shown: rule `cell-hull`, `cell-edge`, `cell-concave`, `cell-split` (if
+/// that is what is wrong), for "regular" `cell-regular`, for a way that there is not `format`; or the
+/// work allowed is used up.
+pub fn check(space: &Space, c: &[Polynomial], bound: Bound, by: &By, splits: usize) -> Outcome<()> {
+    space.charge(64 * c.iter().map(Polynomial::cost).sum::<u64>())?;
     match by {
         By::Alone(Name::Hull) => hull(space, c, bound, Rule::CellHull, |_| true),
         By::Edge(Name::Edge, opposite, Number(s)) => edge(space, c, bound, *opposite, s),
         By::Concave(Name::Concave, Number(v), Number(w)) => concave(space, c, bound, v, w),
+        By::Split(Name::Split, quarters) => split(space, c, bound, quarters, splits),
+        By::Alone(Name::Regular) => Err(Rejection::new(Rule::CellRegular, "inside a split")),
         _ => Err(Rejection::new(Rule::Format, "there is no such way to show a cell")),
     }
 }
-
-type Bound<'a> = &'a Polynomial;
 
 /// The coefficients with these exponents are at most the bound.
 fn hull(
@@ -126,6 +135,42 @@ fn concave(
     Ok(())
 }
 
+/// Each quarter in its way.
+fn split(
+    space: &Space,
+    c: &[Polynomial],
+    bound: Bound,
+    quarters: &[By; 4],
+    splits: usize,
+) -> Outcome<()> {
+    let rule = Rule::CellSplit;
+    ensure!(splits < SPLITS, rule, "more than {SPLITS} splits inside each other");
+    for (letter, by) in (0..).zip(quarters) {
+        let inner = |fault: Rejection| {
+            Rejection::new(fault.rule, format!("quarter {letter}: {}", fault.why))
+        };
+        check(space, &restricted(c, letter), bound, by, splits + 1).map_err(inner)?;
+    }
+    Ok(())
+}
+
+/// The coefficients on a quarter: (i, j, k) is the blossom at i, j, k times its corners 0, 1, 2.
+fn restricted(c: &[Polynomial], letter: u8) -> Vec<Polynomial> {
+    let corners = Triangle::of(&[letter]).0.map(|[v, w]| barycentric(&v, &w));
+    // One argument of the blossom, a point with barycentric coordinates, is put in.
+    let put_in = |c: Vec<Polynomial>, (degree, point): (usize, &[BigRational; 3])| {
+        let three = |[_, j, k]: [usize; 3]| {
+            [index(j, k), index(j + 1, k), index(j, k + 1)].map(|i| c[i].clone())
+        };
+        exponents(degree).into_iter().map(|e| combine(point, &three(e))).collect()
+    };
+    let blossom = |times: [usize; 3]| {
+        let points = corners.iter().zip(times).flat_map(|(corner, i)| repeat_n(corner, i));
+        (0..4).rev().zip(points).fold(c.to_vec(), put_in).swap_remove(0)
+    };
+    exponents(4).into_iter().map(blossom).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -147,7 +192,7 @@ mod tests {
         let space = Space::of(6, Beta::exact(&rational_beta(Weights::Warren, 6).unwrap()));
         let over_q = |x: &Polynomial| &space.q * x;
         let c: Vec<_> = c.iter().map(over_q).collect();
-        check(&space, &c, &space.q.scale(&bound), by).is_ok()
+        check(&space, &c, &space.q.scale(&bound), by, 0).is_ok()
     }
 
     #[test]

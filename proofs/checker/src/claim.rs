@@ -19,6 +19,7 @@ pub fn in_words(claim: &Claim) -> String {
         (Kind::Limit, _) => format!("distance to the limit mesh, B_{k}({n})"),
         (Kind::Rate, _) => format!("rate round the extraordinary vertex, r_{k}({n})"),
         (Kind::MeshRate, _) => "rate of the whole mesh".to_string(),
+        (Kind::Beta, _) => format!("bound of B_0({n}) by the method of HW"),
         (Kind::Coefficient, Some(at)) => format!(
             "coefficient {} over the word {} of S - F, F the limit mesh",
             at.index,

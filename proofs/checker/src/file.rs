@@ -14,7 +14,7 @@ pub const BYTES: usize = 64 << 20;
 /// The most letters of a word, and the most that the depth and the steps of a lemma come to.
 pub const LETTERS: usize = 40;
 const VALENCES: RangeInclusive<usize> = 3..=400;
-const LEVELS: RangeInclusive<usize> = 0..=8;
+const LEVELS: RangeInclusive<usize> = 0..=24;
 const COEFFICIENTS: RangeInclusive<usize> = 1..=64;
 
 /// A rational in its one written form.
@@ -98,6 +98,7 @@ pub enum Kind {
     Limit,
     Rate,
     MeshRate,
+    Beta,
     Coefficient,
 }
 
@@ -128,11 +129,13 @@ pub struct Coefficient {
 }
 
 #[derive(Debug, serde::Deserialize)]
-#[serde(tag = "rule", rename_all = "lowercase")]
+#[serde(tag = "rule", rename_all = "kebab-case")]
 pub enum Step {
     Attained(Attained),
+    AttainedTile(AttainedTile),
     Lemma(Lemma),
     Cover(Cover),
+    Tiles(Cover),
     Apply(Apply),
     Differences(Differences),
     Weight(Weight),
@@ -171,6 +174,16 @@ pub struct Difference {
     pub difference: usize,
 }
 
+/// A net for each Bernstein coefficient over the tile, and a point of it.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AttainedTile {
+    pub word: Word,
+    pub nets: Vec<Vec<Number>>,
+    pub v: Number,
+    pub w: Number,
+}
+
 /// For each corner, the bases for s = +1 and for s = -1.
 pub type Tail = Vec<(Vec<Cite>, Vec<Cite>)>;
 
@@ -188,6 +201,7 @@ pub struct Lemma {
     pub tail: Tail,
 }
 
+/// The same for the faces' parts and for whole tiles.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Cover {
@@ -215,8 +229,16 @@ pub struct Weight {
     pub basis: Cite,
 }
 
-/// A regular word, its basis, and how it is shown.
-pub type Cell = (Word, Cite, By);
+/// A regular word, its bases, and how it is shown.
+pub type Cell = (Word, Bases, By);
+
+/// One basis for all fifteen functionals of a cell, or one for each.
+#[derive(Debug, serde::Deserialize)]
+#[serde(untagged)]
+pub enum Bases {
+    One(Cite),
+    Each([Cite; 15]),
+}
 
 /// How a cell is shown; whether the name is that of the form, `cells` finds out.
 #[derive(Debug, serde::Deserialize)]
@@ -225,6 +247,7 @@ pub enum By {
     Alone(Name),
     Edge(Name, usize, Number),
     Concave(Name, Number, Number),
+    Split(Name, Box<[By; 4]>),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
@@ -233,6 +256,8 @@ pub enum Name {
     Hull,
     Edge,
     Concave,
+    Split,
+    Regular,
 }
 
 type Optional<T, E> = Result<Option<T>, E>;

@@ -13,7 +13,7 @@
 
 #![forbid(unsafe_code)]
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::catch_unwind;
 
 mod basis;
 mod cells;
@@ -44,20 +44,24 @@ pub struct Verdict {
     pub outcome: Outcome<()>,
 }
 
+impl From<Rejection> for Verdict {
+    fn from(rejection: Rejection) -> Self {
+        Self { claim: None, outcome: Err(rejection) }
+    }
+}
+
 /// Checks a certificate.
 pub fn check(bytes: &[u8]) -> Verdict {
-    let file = match file::read(bytes) {
-        Ok(file) => file,
-        Err(rejection) => {
-            return Verdict { claim: None, outcome: Err(rejection) };
-        }
-    };
-    let claim = claim::in_words(&file.claim);
     // A panic would be a fault of the checker: it rejects.
-    let outcome = catch_unwind(AssertUnwindSafe(|| prove(&file)));
-    let outcome = outcome
-        .unwrap_or_else(|_| Err(Rejection::new(Rule::Format, "the checker failed on this file")));
-    Verdict { claim: Some(claim), outcome }
+    let failed = Rejection::new(Rule::Format, "the checker failed on this file");
+    catch_unwind(|| examine(bytes)).unwrap_or(failed.into())
+}
+
+fn examine(bytes: &[u8]) -> Verdict {
+    match file::read(bytes) {
+        Ok(file) => Verdict { claim: Some(claim::in_words(&file.claim)), outcome: prove(&file) },
+        Err(rejection) => rejection.into(),
+    }
 }
 
 fn prove(file: &file::File) -> Outcome<()> {

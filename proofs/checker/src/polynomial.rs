@@ -43,6 +43,12 @@ impl Polynomial {
         self.num.is_empty()
     }
 
+    /// The elementary operations of finding its sign, roughly.
+    pub fn cost(&self) -> u64 {
+        let limbs = self.num.iter().map(BigInt::bits).fold(self.den.bits(), u64::max) / 64;
+        self.num.len() as u64 * (limbs + 1 + (BITS / 64 * self.num.len()) as u64)
+    }
+
     /// This polynomial times a rational.
     pub fn scale(&self, x: &BigRational) -> Self {
         self * &Self::constant(x)

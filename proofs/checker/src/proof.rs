@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -10,7 +10,8 @@ use num_traits::{One, Signed, Zero};
 use crate::basis::Basis;
 use crate::covering::text;
 use crate::file::{
-    Apply, Attained, Cite, Claim, Differences, File, Kind, Lemma, Number, Place, Step, Weight, Word,
+    Apply, Attained, AttainedTile, Cite, Claim, Differences, File, Kind, Lemma, Number, Place,
+    Step, Weight, Word,
 };
 use crate::form::Form;
 use crate::net::Path;
@@ -19,7 +20,7 @@ use crate::rational::{decimal, ratio};
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::space::Space;
 use crate::target::{Mesh, Target};
-use crate::word::{is_in_triangle, is_regular, mirrored};
+use crate::word::{bernstein, is_in_triangle, is_regular, is_tile, mirrored};
 
 /// The most terms of all bases' programs together, for memory's sake.
 const TERMS: u64 = 1 << 24;
@@ -66,6 +67,7 @@ impl<'a> Proof<'a> {
         }
         let rate = matches!(claim.kind, Kind::Rate | Kind::MeshRate);
         ensure!(claim.level >= 1 || !rate, rule, "the level of a rate is at least 1");
+        ensure!(claim.level == 0 || claim.kind != Kind::Beta, rule, "the level of beta is 0");
         let placed = match &claim.at {
             None => claim.kind != Kind::Coefficient,
             Some(at) => {
@@ -104,19 +106,21 @@ impl<'a> Proof<'a> {
 
     fn step(&self, step: &Step, i: usize, last: bool) -> Outcome<()> {
         let in_place = match step {
-            Step::Attained(_) => i == 0,
+            Step::Attained(_) | Step::AttainedTile(_) => i == 0,
             Step::Lemma(_) => i > 0 && !last,
             _ => last,
         };
         ensure!(in_place, Rule::Format, "{ORDER}");
         match (step, self.file.claim.kind) {
-            (Step::Attained(step), _) => self.attained(step),
+            (Step::AttainedTile(step), Kind::Beta) => self.attained_tile(step),
+            (Step::Attained(step), kind) if kind != Kind::Beta => self.attained(step),
             (Step::Lemma(step), _) => self.lemma(step),
-            (Step::Cover(step), Kind::Control | Kind::Limit) => self.cover(step, i),
+            (Step::Cover(step), Kind::Control | Kind::Limit) => self.cover(step, i, Rule::Cover),
+            (Step::Tiles(step), Kind::Beta) => self.cover(step, i, Rule::Tiles),
             (Step::Apply(step), Kind::Control) => self.apply(step, i),
             (Step::Differences(step), Kind::Rate | Kind::MeshRate) => self.differences(step),
             (Step::Weight(step), Kind::Coefficient) => self.weight_of_coefficient(step),
-            _ => Err(Rejection::new(Rule::Claim, "the conclusion is not one for the claim's kind")),
+            _ => Err(Rejection::new(Rule::Claim, "the step is not one for the claim's kind")),
         }
     }
 
@@ -134,9 +138,10 @@ impl<'a> Proof<'a> {
         }
     }
 
-    fn attained(&self, step: &Attained) -> Outcome<()> {
-        let (space, rule) = (self.space, Rule::Attained);
-        let net: Vec<BigRational> = step.net.iter().map(|y| y.0.clone()).collect();
+    /// The numerators and the denominator of a net with second differences of at most 1.
+    fn net(&self, net: &[Number], rule: Rule) -> Outcome<(Vec<BigInt>, BigInt)> {
+        let space = self.space;
+        let net: Vec<BigRational> = net.iter().map(|y| y.0.clone()).collect();
         ensure!(net.len() == space.size, rule, "{} points, not {}", net.len(), space.size);
         for (l, row) in space.rows.iter().enumerate() {
             let value = row.iter().map(|&(i, c)| &net[i] * ratio(c, 1)).sum::<BigRational>().abs();
@@ -148,9 +153,33 @@ impl<'a> Proof<'a> {
             den = den.lcm(y.denom());
             ensure!(den.bits() <= NET_BITS, Rule::Format, "the net's denominators are too large");
         }
-        let net: Vec<BigInt> = net.iter().map(|y| y.numer() * (&den / y.denom())).collect();
+        Ok((net.iter().map(|y| y.numer() * (&den / y.denom())).collect(), den))
+    }
+
+    fn attained(&self, step: &Attained) -> Outcome<()> {
+        let rule = Rule::Attained;
+        let (net, den) = self.net(&step.net, rule)?;
         let reached = self.place(step)?.at(&net, &den);
-        space.at_most(&self.lower, &reached, rule, "the lower target and the net's value")
+        self.space.at_most(&self.lower, &reached, rule, "the lower target and the net's value")
+    }
+
+    fn attained_tile(&self, step: &AttainedTile) -> Outcome<()> {
+        let (space, rule) = (self.space, Rule::AttainedTile);
+        let (Word(word), Number(v), Number(w)) = (&step.word, &step.v, &step.w);
+        ensure!(is_tile(word) && is_in_triangle(v, w), rule, "no point of a tile");
+        ensure!(step.nets.len() == 15, rule, "{} nets, not 15", step.nets.len());
+        let forms = target(&self.file.claim).coefficients(space, &mut Path::new(space), word)?;
+        let mut reached = Polynomial::integer(0);
+        for ((form, net), b) in forms.iter().zip(&step.nets).zip(bernstein(4, v, w)) {
+            let (net, den) = self.net(net, rule)?;
+            let value = form.at(&net, &den).scale(&b);
+            match value.sign(&space.beta) {
+                Some(Sign::Plus) => reached = &reached + &value,
+                Some(Sign::Minus) => reached = &reached - &value,
+                _ => (),
+            }
+        }
+        space.at_most(&self.lower, &reached, rule, "the lower target and the nets' value")
     }
 
     /// The form (times q) whose value is claimed to be attained.
@@ -198,8 +227,8 @@ impl<'a> Proof<'a> {
             ensure!(new, rule, "the word {written} is there twice");
             seen.extend([word.0.clone(), image]);
         }
-        let whole = if claim.kind == Kind::MeshRate { 1 << (2 * claim.level) } else { 1 };
-        ensure!(seen.len() == whole, rule, "{} words of {whole} are there", seen.len());
+        let whole = if claim.kind == Kind::MeshRate { 1u64 << (2 * claim.level) } else { 1 };
+        ensure!(seen.len() as u64 == whole, rule, "{} words of {whole} are there", seen.len());
         let mut path = Path::new(space);
         for (word, bases) in &step.words {
             let differences = path.along(&word.0)?[claim.level].differences();

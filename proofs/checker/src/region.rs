@@ -6,7 +6,7 @@ use num_traits::{One, Zero, pow};
 
 use crate::cells;
 use crate::covering::{self, text};
-use crate::file::{By, Cell, Cover, LETTERS, Lemma, Name, Tail, Word};
+use crate::file::{Bases, By, Cell, Cover, LETTERS, Lemma, Name, Tail, Word};
 use crate::form::Form;
 use crate::net::Path;
 use crate::polynomial::Polynomial;
@@ -14,7 +14,7 @@ use crate::proof::{Proof, target};
 use crate::rational::ratio;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::target::{Mesh, Target};
-use crate::word::{Triangle, exponents};
+use crate::word::{Triangle, exponents, is_tile};
 
 /// What the cells of a step prove: `target` (or, with a corner, its rest divided by `2^J (v + w)`)
 /// is at most `bound / q` over the word of J zeros without that of `tail` zeros.
@@ -35,6 +35,14 @@ struct Ending<'a> {
     bound: &'a Polynomial,
 }
 
+fn is_hull((_, _, by): &Cell) -> bool {
+    matches!(by, By::Alone(Name::Hull))
+}
+
+fn is_regular((_, _, by): &Cell) -> bool {
+    matches!(by, By::Alone(Name::Regular))
+}
+
 impl Proof<'_> {
     /// `‖S - F_0‖ <= bound` over the word of J zeros.
     pub fn lemma(&self, step: &Lemma) -> Outcome<()> {
@@ -43,13 +51,12 @@ impl Proof<'_> {
         let valid = step.steps >= 1 && step.steps.max(step.depth) <= LETTERS;
         let valid = valid && step.steps + step.depth <= LETTERS;
         ensure!(valid, rule, "steps is below 1, or steps and depth are above {LETTERS}");
-        let hulls = step.cells.iter().all(|(_, _, by)| matches!(by, By::Alone(Name::Hull)));
         let target = Target { mesh: Mesh::Control, level: 0 };
         let mut path = Path::new(space);
         let (zero, one) = (BigRational::zero(), BigRational::one());
         let corner = match (step.order, step.corner) {
             (0, None) => None,
-            (1, Some(cite)) if hulls => {
+            (1, Some(cite)) if step.cells.iter().all(is_hull) => {
                 let form = target.at_point(space, &mut path, &[], &zero, &zero)?;
                 space.at_most(&self.weight(cite, &form)?, bound, rule, "the corner's weight")?;
                 Some(form)
@@ -82,16 +89,22 @@ impl Proof<'_> {
         self.tail(&step.tail, &Ending { forms, factor: &bound.scale(&grow), differences, bound })
     }
 
-    /// `‖S - F_k‖ <= upper` over the face.
-    pub fn cover(&self, step: &Cover, i: usize) -> Outcome<()> {
-        let (space, claim, rule) = (self.space, &self.file.claim, Rule::Cover);
+    /// `‖S - F_k‖ <= upper` over the face; by the rule `tiles` for all Bernstein coefficients.
+    pub fn cover(&self, step: &Cover, i: usize, rule: Rule) -> Outcome<()> {
+        let (space, claim) = (self.space, &self.file.claim);
         let lemma = self.earlier_lemma(step.lemma, i, rule)?;
         let (target, bound) = (target(claim), &self.upper);
         ensure!(step.steps >= claim.level, rule, "fewer steps than levels");
         let valid = step.steps <= LETTERS && lemma.depth <= LETTERS - step.steps;
         ensure!(valid, rule, "steps and depth are above {LETTERS}");
-        let long = step.cells.iter().all(|(word, ..)| word.0.len() >= claim.level);
-        ensure!(long, rule, "a cell's word has fewer letters than levels");
+        if rule == Rule::Tiles {
+            let whole = |cell: &Cell| is_tile(&cell.0.0);
+            ensure!(step.cells.iter().all(whole), rule, "a cell is not a whole tile");
+            let hulls = lemma.cells.iter().all(|cell| whole(cell) && is_hull(cell));
+            ensure!(hulls, rule, "a cell of the lemma is not the hull of a whole tile");
+        }
+        let long = |cell: &Cell| cell.0.0.len() >= claim.level || is_regular(cell);
+        ensure!(step.cells.iter().all(long), rule, "a cell's word has fewer letters than levels");
         let tail = step.steps + lemma.depth;
         self.cells(&step.cells, &Region { depth: 0, tail, target, corner: None, bound })?;
 
@@ -125,7 +138,11 @@ impl Proof<'_> {
         Ok(())
     }
 
-    fn cell(&self, (Word(word), cite, by): &Cell, region: &Region, path: &mut Path) -> Outcome<()> {
+    fn cell(&self, cell: &Cell, region: &Region, path: &mut Path) -> Outcome<()> {
+        if is_regular(cell) {
+            return self.regular(cell, region, path);
+        }
+        let (Word(word), bases, by) = cell;
         let mut forms = region.target.coefficients(self.space, path, word)?;
         if let Some(t_0) = region.corner {
             let part = Triangle::of(word);
@@ -139,8 +156,36 @@ impl Proof<'_> {
                 *form = Form::mix(self.space.size, &[(over, form), (rest, t_0)]);
             }
         }
-        let weights: Outcome<Vec<_>> = forms.iter().map(|form| self.weight(*cite, form)).collect();
-        cells::check(self.space, &weights?, region.bound, by)
+        let cite = |i: usize| match bases {
+            Bases::One(cite) => *cite,
+            Bases::Each(list) => list[i],
+        };
+        let weights = forms.iter().enumerate().map(|(i, form)| self.weight(cite(i), form));
+        cells::check(self.space, &weights.collect::<Outcome<Vec<_>>>()?, region.bound, by, 0)
+    }
+
+    /// `f 4^-d` times the second differences of the word's net, d levels above F_k, bounds S - F_k.
+    fn regular(
+        &self,
+        (Word(word), bases, _): &Cell,
+        region: &Region,
+        path: &mut Path,
+    ) -> Outcome<()> {
+        let (space, rule, target) = (self.space, Rule::CellRegular, region.target);
+        let above = target.level.saturating_sub(word.len());
+        ensure!(above > 0, rule, "only for a word with fewer letters than levels");
+        let Bases::Each(list) = bases else {
+            return Err(Rejection::new(rule, "one basis, not 15"));
+        };
+        let distance = if target.mesh == Mesh::Control { ratio(1, 2) } else { ratio(1, 3) };
+        let factor = distance * pow(ratio(1, 4), above);
+        let differences = path.along(word)?[word.len()].differences();
+        for (l, (difference, &cite)) in differences.iter().zip(list).enumerate() {
+            let form = Form::sum(space.size, &[(&space.q.scale(&factor), difference)]);
+            let weight = self.weight(cite, &form)?;
+            space.at_most(&weight, region.bound, rule, format_args!("difference {}", l + 1))?;
+        }
+        Ok(())
     }
 
     fn tail(&self, tail: &Tail, ending: &Ending) -> Outcome<()> {

@@ -25,12 +25,20 @@ pub enum Rule {
     Differences,
     /// The conclusion `weight`.
     Weight,
+    /// The lower bound of the method of HW.
+    AttainedTile,
+    /// The conclusion `tiles`, apart from its cells and tail.
+    Tiles,
     /// A cell shown by its hull.
     CellHull,
     /// A cell shown by an edge.
     CellEdge,
     /// A cell shown by concavity.
     CellConcave,
+    /// A cell shown by its quarters.
+    CellSplit,
+    /// A cell shown by the decay of second differences.
+    CellRegular,
     /// The cells do not cover what they should, or one is superfluous.
     Covering,
     /// A tail.
@@ -51,9 +59,13 @@ impl Rule {
             Self::Apply => "apply",
             Self::Differences => "differences",
             Self::Weight => "weight",
+            Self::AttainedTile => "attained-tile",
+            Self::Tiles => "tiles",
             Self::CellHull => "cell-hull",
             Self::CellEdge => "cell-edge",
             Self::CellConcave => "cell-concave",
+            Self::CellSplit => "cell-split",
+            Self::CellRegular => "cell-regular",
             Self::Covering => "covering",
             Self::Tail => "tail",
         }

@@ -1,7 +1,6 @@
 //! Targets: the difference of the surface and a mesh, as forms times q.
 
 use num_rational::BigRational;
-use num_traits::One;
 
 use crate::form::Form;
 use crate::net::{Net, Path, REGULAR};
@@ -9,7 +8,7 @@ use crate::polynomial::Polynomial;
 use crate::rational::ratio;
 use crate::reject::Outcome;
 use crate::space::Space;
-use crate::word::{self, Triangle};
+use crate::word::{self, Triangle, barycentric};
 
 /// 24 times the matrix from twelve points to fifteen Bernstein coefficients (HW, Appendix 1).
 const T: [[i64; 12]; 15] = [
@@ -70,10 +69,6 @@ pub fn surface(space: &Space, net: &Net) -> Vec<Form> {
         net.sum(&factors.iter().zip(REGULAR).collect::<Vec<_>>())
     };
     T.iter().map(coefficient).collect()
-}
-
-fn barycentric(v: &BigRational, w: &BigRational) -> [BigRational; 3] {
-    [BigRational::one() - v - w, v.clone(), w.clone()]
 }
 
 impl Target {

@@ -18,8 +18,13 @@ pub fn is_regular(word: &[u8]) -> bool {
     word.iter().any(|&letter| letter != 0)
 }
 
+/// True for `0^r m`, r >= 0, m = 1, 2, 3.
+pub fn is_tile(word: &[u8]) -> bool {
+    word.split_last().is_some_and(|(&last, zeros)| last != 0 && !is_regular(zeros))
+}
+
 /// The part of a triangle that a word names.
-pub struct Triangle([Point; 3]);
+pub struct Triangle(pub [Point; 3]);
 
 impl Triangle {
     /// The part that a word names, in the parameters of the empty word.
@@ -40,9 +45,14 @@ impl Triangle {
     /// The point with the parameters (v, w) of this part.
     pub fn point(&self, v: &BigRational, w: &BigRational) -> Point {
         let [a, b, c] = &self.0;
-        let u = BigRational::one() - v - w;
-        [0, 1].map(|i| &u * &a[i] + v * &b[i] + w * &c[i])
+        let [u, v, w] = barycentric(v, w);
+        [0, 1].map(|i| &u * &a[i] + &v * &b[i] + &w * &c[i])
     }
+}
+
+/// The barycentric coordinates of (v, w).
+pub fn barycentric(v: &BigRational, w: &BigRational) -> [BigRational; 3] {
+    [BigRational::one() - v - w, v.clone(), w.clone()]
 }
 
 fn middle(a: &Point, b: &Point) -> Point {
