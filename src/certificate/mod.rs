@@ -56,6 +56,7 @@ impl Claim {
     /// The name of the claim's file: scheme, weights, kind, valence, level, coefficient.
     pub fn file_name(&self) -> String {
         let at = match &self.at {
+            Some(at) if at.word.is_empty() => format!("-at-face-{}", at.index),
             Some(at) => format!("-at-{}-{}", at.word, at.index),
             None => String::new(),
         };

@@ -68,7 +68,7 @@ fn at_level_0(found: &Findings) -> Claim {
             "The limit mesh approximates a Loop surface better than the corresponding control mesh (as \
              constants at level 0).",
             Verdict::of(all(truths)),
-            "B_0(n) < C_0(n): the suprema themselves, not the paper's unlike bounds β(n) and C_3(6)",
+            "B_0(n) against C_0(n): the suprema themselves, not the paper's unlike bounds β(n) and C_3(6)",
             found.scope(),
         )
     }

@@ -16,7 +16,7 @@ use super::nets::radial;
 use super::printed;
 use super::valence::{Valence, place};
 use super::words::{
-    DIGITS, all, bounds, by_verdict, claim, decimal, failures, gravest, judge, list, ranges,
+    DIGITS, all, bounds, by_verdict, claim, decimal, exceptions, gravest, judge, list, ranges,
 };
 use crate::paper::{Claim, Counterexample, Enclosure, Printed, Table, Verdict};
 use crate::scalar::{Cyclotomic, Field, Rational, Ring};
@@ -283,11 +283,14 @@ fn telescoping(found: &Findings) -> Claim {
             "(15), read with n b",
             "(15) follows by summing over the steps, one step moving the mesh by at most n b M.",
             Verdict::of(all(truths.iter().map(|t| t.1))),
-            format!(
-                "the step is false at n = {}: there n b is less than the displacement of P2. The printed \
-                 values are true bounds all the same (table-2-c{LAMBDA}), not by this argument",
-                ranges(failures(&truths))
-            ),
+            match fails.is_empty() {
+                true => exceptions(&truths),
+                false => format!(
+                    "{}: there one step moves P2 by more. Whether the printed values are bounds all the \
+                     same is said in table-2-c{LAMBDA}",
+                    exceptions(&truths)
+                ),
+            },
             found.scope(),
         )
     }
@@ -320,7 +323,7 @@ fn smallest(found: &Findings) -> Claim {
             format!("C_{LAMBDA}(6) = 1/2 is the smallest of the C_{LAMBDA}(n), n >= 3."),
             verdict,
             format!(
-                "with n b and with max(n b, 3/8) alike; as a bound at n = 6 it is sharp: C_0(6) = {best}"
+                "compared with n b and with max(n b, 3/8); the best bound at n = 6 is C_0(6) = {best}"
             ),
             found.scope(),
         )

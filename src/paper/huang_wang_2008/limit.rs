@@ -7,8 +7,8 @@ use super::bound_function::{BoundFunction, Curve};
 use super::printed;
 use super::valence::Valence;
 use super::words::{
-    DIGITS, FINE_DIGITS, all, bounds, by_verdict, claim, decimal, failures, gravest, judge, list,
-    ranges,
+    DIGITS, FINE_DIGITS, all, bounds, by_verdict, claim, decimal, exceptions, gravest, if_true,
+    judge, list,
 };
 use crate::paper::{Claim, Enclosure, Printed, Table, Verdict};
 use crate::scalar::{Field, Rational};
@@ -210,7 +210,10 @@ fn fact_1(found: &Findings) -> Claim {
             printed::INVESTIGATED.1
         ),
         Verdict::of(all(truths.iter().map(|t| t.1))),
-        "B is smaller than β(n) on every ring beyond the second, the infinitely many included",
+        if_true(
+            &truths,
+            "B is smaller than β(n) on every ring beyond the second, the infinitely many included",
+        ),
         found.scope(),
     )
 }
@@ -309,8 +312,8 @@ fn can_be_improved(found: &Findings) -> Claim {
         "For extraordinary patches the constants can be improved through further subdividing.",
         Verdict::of(all(truths.iter().map(|t| t.1))),
         format!(
-            "not at n = {}, where β(n) is the supremum itself; at most by {}",
-            ranges(failures(&truths)),
+            "{}, where β(n) is the supremum itself; gains of at most {}",
+            exceptions(&truths),
             list(gains)
         ),
         found.scope_of(truths.iter().map(|t| t.0)),

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::Findings;
 use super::printed;
 use super::valence::{MESH_LEVELS, RATES, STEPS, Valence, place};
-use super::words::{DIGITS, all, by_verdict, claim, failures, gravest, judge, list, ranges};
+use super::words::{DIGITS, all, by_verdict, claim, exceptions, gravest, judge, list, ranges};
 use crate::paper::{Claim, Enclosure, Table, Verdict};
 use crate::scalar::{Cyclotomic, Field};
 
@@ -119,8 +119,8 @@ fn largest_is_the_first(found: &Findings) -> Claim {
         "c_1(n) is the largest of the c_l(n) for n > 3, so r_1(n) = c_1(n).",
         Verdict::of(all(truths.iter().map(|t| t.1))),
         format!(
-            "all c_l(n) by exact linear programs; false at n = {}",
-            ranges(failures(&truths))
+            "all c_l(n) by exact linear programs: {}",
+            exceptions(&truths)
         ),
         found.scope_of(truths.iter().map(|t| t.0)),
     )
@@ -173,9 +173,9 @@ fn four_programs(found: &Findings) -> Claim {
         "By symmetry at most four programs are needed for r_1: those of α_1, α_(n+1), α_(n+2), α_(n+3).",
         Verdict::of(all(truths.iter().map(|t| t.1))),
         format!(
-            "every c_l(n) equals one of these four, though not every edge is a mirror image of one of \
-             theirs; false at n = {}",
-            ranges(failures(&truths))
+            "every c_l(n) compared with these four, though not every edge is a mirror image of one of \
+             theirs: {}",
+            exceptions(&truths)
         ),
         found.scope(),
     )
@@ -190,8 +190,8 @@ fn one_program(found: &Findings) -> Claim {
         "For j > 1 the program of α_1 alone gives r_j(n), n >= 3.",
         Verdict::of(all(truths.iter().map(|t| t.1))),
         format!(
-            "α_1 has the largest norm of all; false at n = {}",
-            ranges(failures(&truths))
+            "the norm of α_1 against all others: {}",
+            exceptions(&truths)
         ),
         format!("{}, j = 2..{STEPS}", found.scope()),
     )
@@ -208,7 +208,10 @@ fn submultiplicative(found: &Findings) -> Claim {
         "section 5.1",
         "r_(j+k)(n) <= r_j(n) r_k(n).",
         Verdict::of(all(truths.iter().map(|t| t.1))),
-        "follows from the definition; compared for all pairs",
+        format!(
+            "follows from the definition; compared for all pairs: {}",
+            exceptions(&truths)
+        ),
         format!("{}, j + k <= {RATES}", found.scope()),
     )
 }
@@ -225,7 +228,7 @@ fn slower_than_regular(found: &Findings) -> Claim {
         "section 5.1",
         "r_j(n) > r_j(6) for n ≠ 6.",
         Verdict::of(all(truths.iter().map(|t| t.1))),
-        format!("false at n = {}", ranges(failures(&truths))),
+        exceptions(&truths),
         format!(
             "{}, j <= {RATES}",
             found.scope_of(truths.iter().map(|t| t.0))
@@ -244,7 +247,10 @@ fn at_least_a_quarter(found: &Findings) -> Claim {
         "section 5.2",
         "r_1(n) >= 1/4.",
         Verdict::of(all(truths)),
-        "equality at n = 6",
+        match found.regular.rate(1) == quarter() {
+            true => "equality at n = 6",
+            false => "",
+        },
         found.scope(),
     )
 }
@@ -283,10 +289,25 @@ fn falls_at_most_to_a_quarter(found: &Findings) -> Claim {
             verdict,
             match false_at.is_empty() {
                 true => "no exception".into(),
-                false => format!("false at {}; Table 1 itself says so", false_at.join("; ")),
+                false => format!("false at {}{}", false_at.join("; "), said_by_table_1()),
             },
             format!("{}, i < {RATES}", found.scope()),
         )
+    }
+}
+
+/// Where the printed rates of Table 1 exclude r_(i+1) >= r_i / 4 by themselves.
+fn said_by_table_1() -> String {
+    let excludes = |n: u32, i: usize| {
+        let range = |k: usize| Some(printed::at(&printed::TABLE_1[k], n)?.range());
+        Some(range(i)?.times(&quarter()).compare(&range(i + 1)?)? == Ordering::Greater)
+    };
+    let pairs = 0..printed::TABLE_1.len() - 1;
+    let says = |n: &u32| pairs.clone().any(|i| excludes(*n, i) == Some(true));
+    let valences: Vec<u32> = printed::VALENCES.into_iter().filter(says).collect();
+    match valences.is_empty() {
+        true => String::new(),
+        false => format!("; Table 1 as printed says so at n = {}", ranges(valences)),
     }
 }
 
@@ -308,7 +329,8 @@ fn lemma_1(found: &Findings) -> Claim {
         "Lemma 1",
         "M_0^(k+j) <= r_j(n) M_0^k for the extraordinary subpatch.",
         gravest(&verdicts),
-        "for each rate there is a net that attains it",
+        "each rate as a supremum, with the net that attains it: ".to_string()
+            + &by_verdict(&verdicts),
         format!("{}, j <= {RATES}", found.scope()),
     )
 }

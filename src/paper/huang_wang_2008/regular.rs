@@ -153,8 +153,10 @@ pub fn claims(regular: &Valence) -> Vec<Claim> {
                 "Theorem 1",
                 "|S(v, w) - F̄(v, w)| <= (v + w - v^2 - v w - w^2) M.",
                 sharp(both(both(agree, function), attained)),
-                "best possible at every (v, w) at once: the net 0 | 1, 1, 1, 1, 1, 1 | 3, 4, 3, 4, 3 has \
-                 M = 1 and |S - F̄| = B(v, w) identically",
+                match attained {
+                    Some(true) => "best possible at every (v, w) at once, by one net",
+                    _ => "no net was found that attains it",
+                },
                 SCOPE,
             )
         },

@@ -106,6 +106,35 @@ pub fn failures(truths: &[(u32, Option<bool>)]) -> Vec<u32> {
     failed.map(|(n, _)| *n).collect()
 }
 
+/// `no exception`, or where a statement was found false or stayed open.
+pub fn exceptions(truths: &[(u32, Option<bool>)]) -> String {
+    let open = truths.iter().filter(|(_, truth)| truth.is_none());
+    let open: Vec<u32> = open.map(|(n, _)| *n).collect();
+    let failed = failures(truths);
+    let mut parts = Vec::new();
+    if !failed.is_empty() {
+        parts.push(format!("false at n = {}", ranges(failed)));
+    }
+    if !open.is_empty() {
+        parts.push(format!("undecided at n = {}", ranges(open)));
+    }
+    match parts.is_empty() {
+        true => "no exception".into(),
+        false => parts.join("; "),
+    }
+}
+
+/// The sentence if it is true of all, else the exceptions.
+pub fn if_true(truths: &[(u32, Option<bool>)], sentence: &str) -> String {
+    match all(truths.iter().map(|t| t.1)) {
+        Some(true) => sentence.into(),
+        _ => exceptions(truths),
+    }
+}
+
+/// The scope of a claim about no valence that was asked for.
+pub const NOWHERE: &str = "n = none";
+
 /// A claim without extras.
 pub fn claim(
     id: &'static str,
