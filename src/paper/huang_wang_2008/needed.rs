@@ -1,15 +1,16 @@
 //! The subdivision depth that is needed: the least k with C_k M <= ε, or B_k M <= ε.
 //!
-//! Not every level has to be proved. The level-(k+j) mesh over the extraordinary part of level j is the
-//! level-k mesh of its net, and so over each regular part; hence, with r_j and m_j <= 1 the rate and
-//! the mesh rate,
+//! Not every level has to be proved. Over the extraordinary part of level j the level-(k+j) mesh is the
+//! level-k mesh of its net, and so over each regular part; hence, with the rate r_j <= 1 and the mesh
+//! rate m_j,
 //!
 //! ```text
-//! C_(k+j)(n) <= max(r_j C_k(n), m_j C_k(6)) <= max(C_k(n), 4^-k / 2),
+//! C_(k+j)(n) <= max(r_j C_k(n), m_j C_k(6)) <= max(C_k(n), m_j 4^-k / 2),
 //! ```
 //!
-//! and B_(k+j)(n) <= max(B_k(n), 4^-k / 3) likewise. So where 4^-k / 2 <= ε / M, **C_d > ε / M excludes
-//! every level from k to d**; only the few levels before that k are looked at one by one.
+//! and B_(k+j)(n) <= max(B_k(n), m_j 4^-k / 3) likewise. So where m_j 4^-k / 2 <= ε / M, **C_(k+j) > ε / M
+//! proves C_k > ε / M**; only the levels k for which that fails are looked at themselves. Mesh rates
+//! multiply, with those of regular nets, 4^-j, as a floor: `m_(i+j)(n) <= max(m_i, 4^-i) max(m_j, 4^-j)`.
 
 use super::valence::Proved;
 use crate::bound::Against;
@@ -24,70 +25,74 @@ const DEEPEST: usize = 28;
 pub struct Depth {
     /// The smallest k with a constant of level k proved <= ε.
     pub depth: usize,
-    /// Certificates: of the level, and of the one before, whose net needs so many steps.
+    /// Certificates: of the level; of the one before, whose net needs so many steps; of others that
+    /// were needed.
     pub files: Vec<String>,
 }
 
 impl Depth {
-    /// Seeks the depth for ε, M = 1; `prove` encloses the constant of a level, well enough to compare
-    /// it with ε if it can. `None` if a comparison stays open.
+    /// Seeks the depth for ε, M = 1.
+    ///
+    /// `prove` encloses the constant of a level, well enough to compare it with ε if it can; the levels
+    /// below `first` cost nothing. `mesh_rate` bounds m_j. `None` if a comparison stays open.
     pub fn seek(
         against: Against,
         epsilon: &Enclosure,
+        first: usize,
+        mesh_rate: &dyn Fn(usize) -> Enclosure,
         prove: &mut dyn FnMut(usize) -> Option<Proved>,
     ) -> Option<Self> {
         let part = match against {
             Against::Control => 2,
             Against::Limit => 3,
         };
-        let regular = |k: usize| {
-            let constant = Rational::ratio(1, part << (2 * k));
-            Enclosure::exactly(constant)
-        };
         let mut suffices = |k: usize| -> Option<(bool, Proved)> {
             let level = (k <= DEEPEST).then(|| prove(k))??;
             Some((level.value.at_most(epsilon)?, level))
         };
-        let found = |depth: usize, levels: Vec<Proved>| {
-            let files = levels.into_iter().map(|level| level.file).collect();
-            Some(Depth { depth, files })
-        };
-        let mut before: Vec<Proved> = Vec::new();
-        let mut k = 0;
-        while k < 2 || regular(k).at_most(epsilon) == Some(false) || before.len() < 2 {
+        let mut known = Vec::new();
+        for k in 0..first {
             let (enough, level) = suffices(k)?;
             if enough {
-                let levels = std::iter::once(level).chain(before.pop()).collect();
-                return found(k, levels);
+                let files = std::iter::once(level).chain(known.pop()).map(|l| l.file);
+                let files = files.collect();
+                return Some(Depth { depth: k, files });
             }
-            before.push(level);
-            k += 1;
+            known.push(level);
         }
-        // From here on one level that does not suffice excludes all before it.
-        let mut below = before.pop()?;
-        let guess = k + guess(
-            before.pop()?.value.float(),
-            below.value.float(),
-            epsilon.float(),
-        );
-        let mut at = guess.clamp(k, DEEPEST);
+        let (mut below, before) = (known.pop()?, known.pop()?);
+        let guess = first + guess(before.value.float(), below.value.float(), epsilon.float());
+        // Up until a level suffices, or down until one does not.
+        let mut k = guess.clamp(first, DEEPEST);
+        let (mut enough, mut level) = suffices(k)?;
         let mut above: Option<Proved> = None;
-        loop {
-            let (enough, level) = suffices(at)?;
-            match (enough, &above) {
-                (true, _) if at == k => return found(at, vec![level, below]),
-                (true, _) => {
-                    above = Some(level);
-                    at -= 1;
+        while enough && k > first {
+            above = Some(level);
+            k -= 1;
+            (enough, level) = suffices(k)?;
+        }
+        while !enough && above.is_none() {
+            below = level;
+            k += 1;
+            (enough, level) = suffices(k)?;
+        }
+        let (depth, above, below) = match above {
+            Some(above) if !enough => (k + 1, above, level),
+            _ => (k, level, below),
+        };
+        let mut files = vec![above.file, below.file];
+        for k in first..depth.saturating_sub(1) {
+            let regular = Enclosure::exactly(Rational::ratio(1, part << (2 * k)));
+            let rest = mesh_rate(depth - 1 - k).times(&regular);
+            if rest.at_most(epsilon) != Some(true) {
+                let (enough, level) = suffices(k)?;
+                if enough {
+                    return None;
                 }
-                (false, Some(_)) => return found(at + 1, vec![above?, level]),
-                (false, None) => {
-                    below = level;
-                    at += 1;
-                    k = at;
-                }
+                files.push(level.file);
             }
         }
+        Some(Depth { depth, files })
     }
 }
 

@@ -11,7 +11,7 @@ use crate::bound::{Against, Constant, Prover};
 use crate::certificate::Certificate;
 use crate::lp::Rows;
 use crate::paper::{Counterexample, Enclosure};
-use crate::scalar::{Cyclotomic, Rational, Ring};
+use crate::scalar::{Cyclotomic, Field, Rational, Ring};
 use crate::scheme::{IntegerRow, Tile, loop_scheme};
 
 /// A proved constant.
@@ -109,14 +109,24 @@ impl Examiner {
         Some(Proved { value, ..proved })
     }
 
-    /// The depth needed for ε, given the first levels.
+    /// The depth needed for ε, given the first levels and mesh rates.
     fn depth(
         &mut self,
         against: Against,
         known: &[Option<Proved>],
+        mesh_rates: &[Proved],
         epsilon: &Enclosure,
     ) -> Option<Depth> {
-        Depth::seek(against, epsilon, &mut |k| {
+        let one_of = |j: usize| match j {
+            0 => Enclosure::exactly(Field::ratio(1, 1)),
+            _ => (mesh_rates[j - 1].value).max(&Enclosure::exactly(Field::ratio(1, 1 << (2 * j)))),
+        };
+        let mesh_rate = |j: usize| {
+            let most = mesh_rates.len();
+            let whole = std::iter::repeat_n(one_of(most), j / most);
+            whole.fold(one_of(j % most), |product, rate| product.times(&rate))
+        };
+        Depth::seek(against, epsilon, known.len(), &mesh_rate, &mut |k| {
             if let Some(known) = known.get(k) {
                 return known.clone();
             }
@@ -154,8 +164,8 @@ impl Valence {
         let mesh_rates = all(&mut (1..=MESH_LEVELS).map(Constant::MeshRate))?;
         let epsilon = Enclosure::exactly(Rational::new(1.into(), ratio.into()));
         let depths = [
-            examiner.depth(Against::Control, &control, &epsilon),
-            examiner.depth(Against::Limit, &limit, &epsilon),
+            examiner.depth(Against::Control, &control, &mesh_rates, &epsilon),
+            examiner.depth(Against::Limit, &limit, &mesh_rates, &epsilon),
         ];
         let deltas = (0..15).map(|i| {
             let whole = Constant::Coefficient(Word::EMPTY, i);
