@@ -89,7 +89,11 @@ pub fn examine(valences: &[u32], tell: &(dyn Fn(u32, u32) + Sync)) -> Result<Rep
     all.reverse();
     let done = AtomicU32::new(0);
     let examine = |&n: &u32| {
-        let valence = Valence::examine(n, printed::TABLE_3_RATIO).ok_or(NoRates(n));
+        // Deep levels cost most: only where Table 3 has an entry.
+        let ratio = printed::VALENCES
+            .contains(&n)
+            .then_some(printed::TABLE_3_RATIO);
+        let valence = Valence::examine(n, ratio).ok_or(NoRates(n));
         tell(done.fetch_add(1, Ordering::Relaxed) + 1, all.len() as u32);
         valence
     };

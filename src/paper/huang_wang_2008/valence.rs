@@ -72,7 +72,7 @@ pub struct Valence {
     pub beta_file: Option<String>,
     /// Whether β(n) = B_0(n) exactly, because one net attains every coefficient that matters.
     pub beta_is_sharp: bool,
-    /// The depths for ε: control mesh, limit mesh.
+    /// The depths for ε: control mesh, limit mesh; `None` if not asked for or not found.
     pub depths: [Option<Depth>; 2],
     /// At valence 6: δ_1 .. δ_15 of the whole face.
     pub deltas: Option<Vec<Proved>>,
@@ -141,10 +141,10 @@ impl Examiner {
 }
 
 impl Valence {
-    /// Computes everything for a valence n >= 3; depths for M / ε = `ratio`.
+    /// Computes everything for a valence n >= 3; depths for M / ε = `ratio`, if one is given.
     ///
     /// `None` if a rate was not proved.
-    pub fn examine(n: u32, ratio: i64) -> Option<Self> {
+    pub fn examine(n: u32, ratio: Option<i64>) -> Option<Self> {
         let mut examiner = Examiner {
             prover: Prover::new(WEIGHTS, n),
             certificates: Vec::new(),
@@ -162,10 +162,13 @@ impl Valence {
         };
         let rates = all(&mut (1..=RATES).map(Constant::Rate))?;
         let mesh_rates = all(&mut (1..=MESH_LEVELS).map(Constant::MeshRate))?;
-        let epsilon = Enclosure::exactly(Rational::new(1.into(), ratio.into()));
+        let mut depth = |against, known: &[Option<Proved>]| {
+            let epsilon = Enclosure::exactly(Rational::new(1.into(), ratio?.into()));
+            examiner.depth(against, known, &mesh_rates, &epsilon)
+        };
         let depths = [
-            examiner.depth(Against::Control, &control, &mesh_rates, &epsilon),
-            examiner.depth(Against::Limit, &limit, &mesh_rates, &epsilon),
+            depth(Against::Control, &control),
+            depth(Against::Limit, &limit),
         ];
         let deltas = (0..15).map(|i| {
             let whole = Constant::Coefficient(Word::EMPTY, i);
