@@ -44,6 +44,7 @@ pub mod distance;
 pub mod linalg;
 pub mod lp;
 pub mod mesh;
+pub mod paper;
 pub mod patch;
 pub mod refine;
 pub mod report;

@@ -1,29 +1,13 @@
 //! Matrices as the papers print them, compared entry by entry with those that the library builds.
 //!
-//! The printed data are typed here once, in the papers' own letters and layout.
+//! The printed data of CY are typed here once, in the paper's own letters and layout; those of HW are in
+//! `paper::huang_wang_2008::printed`.
 
 use num_traits::Zero;
 use subcert::bernstein::conversion::{BOX_SPLINE_DENOMINATOR, BOX_SPLINE_ROWS};
+use subcert::paper::huang_wang_2008::printed;
 use subcert::scalar::{Field, Rational};
 use subcert::scheme::catmull_clark;
-
-/// HW Appendix 1: 24 T.
-const HW_APPENDIX_1: &str = "
-    2 2 2 12 2 0 2 2 0 0 0 0
-    1 0 3 12 1 0 4 3 0 0 0 0
-    0 1 1 12 3 0 3 4 0 0 0 0
-    0 0 4 8 0 0 8 4 0 0 0 0
-    0 0 1 10 1 0 6 6 0 0 0 0
-    0 0 0 8 4 0 4 8 0 0 0 0
-    0 0 3 4 0 1 12 3 0 0 1 0
-    0 0 1 6 0 0 10 6 0 0 1 0
-    0 0 0 6 1 0 6 10 0 0 1 0
-    0 0 0 4 3 0 3 12 1 0 1 0
-    0 0 2 2 0 2 12 2 0 2 2 0
-    0 0 1 3 0 0 12 4 0 1 3 0
-    0 0 0 4 0 0 8 8 0 0 4 0
-    0 0 0 3 1 0 4 12 0 0 3 1
-    0 0 0 2 2 0 2 12 2 0 2 2";
 
 /// CY (10): the rows of the block of the ring, after the first row. `.` marks an entry that the
 /// print leaves to its dots; the last two columns are the last two of the matrix, whatever N.
@@ -149,15 +133,7 @@ fn printed_matrix(n: usize) -> Vec<Vec<Rational>> {
 #[test]
 fn hw_appendix_1_is_the_derived_conversion() {
     assert_eq!(BOX_SPLINE_DENOMINATOR, 24);
-    let lines: Vec<&str> = HW_APPENDIX_1.trim().lines().collect();
-    assert_eq!(lines.len(), 15);
-    for (line, row) in lines.iter().zip(&BOX_SPLINE_ROWS) {
-        let printed: Vec<i64> = line
-            .split_whitespace()
-            .map(|x| x.parse().unwrap())
-            .collect();
-        assert_eq!(printed, row);
-    }
+    assert_eq!(BOX_SPLINE_ROWS, printed::T_TIMES_24);
 }
 
 /// Where CY (10) prints an entry and the shifted rows speak too, they agree, from N = 5 on. At N = 4

@@ -52,6 +52,21 @@ pub struct Claim {
     pub exact: Option<Number>,
 }
 
+impl Claim {
+    /// The name of the claim's file: scheme, weights, kind, valence, level, coefficient.
+    pub fn file_name(&self) -> String {
+        let at = match &self.at {
+            Some(at) if at.word.is_empty() => format!("-at-face-{}", at.index),
+            Some(at) => format!("-at-{}-{}", at.word, at.index),
+            None => String::new(),
+        };
+        format!(
+            "{}-{}-{}-n{:02}-k{}{at}.json",
+            self.scheme, self.weights, self.kind, self.valence, self.level
+        )
+    }
+}
+
 /// A Bernstein coefficient over a word.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

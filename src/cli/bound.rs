@@ -65,9 +65,9 @@ enum ConstantName {
 
 /// `A..B`, both ends included, or one number.
 #[derive(Clone, Copy, Debug)]
-struct Range {
-    first: u32,
-    last: u32,
+pub struct Range {
+    pub first: u32,
+    pub last: u32,
 }
 
 impl FromStr for Range {

@@ -17,6 +17,7 @@ mod info;
 mod measure;
 mod progress;
 mod refine;
+mod reproduce;
 
 /// Certified distances between subdivision surfaces and their meshes.
 #[derive(Parser, Debug)]
@@ -44,6 +45,8 @@ enum Command {
     Measure(measure::Measure),
     /// Enclose bound constants, distance over the largest second difference, with certificates
     Bound(bound::Bound),
+    /// Judge every claim of a paper: printed, redone, sharp, verdict, certificate
+    Reproduce(reproduce::Reproduce),
 }
 
 /// The scheme and its variants.
@@ -204,5 +207,6 @@ pub fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
         Command::Refine(refine) => refine.run(),
         Command::Measure(measure) => measure.run(),
         Command::Bound(bound) => bound.run(),
+        Command::Reproduce(reproduce) => reproduce.run(),
     }
 }

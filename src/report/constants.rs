@@ -74,20 +74,6 @@ pub fn json(weights: LoopWeights, rows: &[Row], seconds: f64) -> Value {
     })
 }
 
-/// The name of a row's certificate file.
-pub fn certificate_name(row: &Row, weights: &str) -> String {
-    let extra = match row.constant {
-        crate::bound::Constant::Coefficient(word, index) => format!("-at-{word}-{index}"),
-        _ => String::new(),
-    };
-    format!(
-        "loop-{weights}-{}-n{:02}-k{}{extra}.json",
-        row.constant.name(),
-        row.n,
-        row.constant.level()
-    )
-}
-
 /// Writes the certificates of all rows that have one; the files' paths.
 ///
 /// # Errors
@@ -97,7 +83,7 @@ pub fn write_certificates(folder: &Path, rows: &[Row]) -> io::Result<Vec<PathBuf
     let mut written = Vec::new();
     for row in rows {
         if let Some(certificate) = &row.certificate {
-            let path = folder.join(certificate_name(row, &certificate.claim.weights));
+            let path = folder.join(certificate.claim.file_name());
             write_atomically(&path, |out| certificate.write(out))?;
             written.push(path);
         }

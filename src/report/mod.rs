@@ -1,5 +1,7 @@
-//! What people and programs read: text, JSON, per-face files.
+//! What people and programs read: text, JSON, per-face files, plots.
 
 pub mod constants;
 pub mod faces;
 pub mod measurement;
+pub mod paper;
+pub mod plots;
