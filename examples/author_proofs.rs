@@ -16,7 +16,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 use subcert::bound::word::Word;
 use subcert::bound::{Against, Constant, Row, tabulate};
-use subcert::report::constants::{certificate_name, write_certificates};
+use subcert::report::constants::write_certificates;
 use subcert::scheme::LoopWeights::{self, Original, Warren};
 
 const GAP: f64 = 1e-6;
@@ -77,13 +77,10 @@ fn constants(weights: LoopWeights, valences: &[u32], constants: &[Constant]) -> 
 /// A certificate as JSON.
 fn certificate(weights: LoopWeights, n: u32, constant: Constant) -> Result<Value, Box<dyn Error>> {
     let rows = constants(weights, &[n], &[constant]);
-    println!("from {}", certificate_name(&rows[0], &weights.to_string()));
     let mut text = Vec::new();
-    rows[0]
-        .certificate
-        .as_ref()
-        .ok_or("no certificate")?
-        .write(&mut text)?;
+    let certificate = rows[0].certificate.as_ref().ok_or("no certificate")?;
+    println!("from {}", certificate.claim.file_name());
+    certificate.write(&mut text)?;
     Ok(serde_json::from_slice(&text)?)
 }
 
