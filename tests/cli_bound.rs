@@ -171,7 +171,7 @@ fn what_makes_no_sense_is_refused_in_one_sentence() {
             "--valence",
             "5",
             "--level",
-            "7",
+            "17",
             loop_[0],
             loop_[1],
         ],
