@@ -39,6 +39,23 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    fn new(basis: Basis, scaled_net: Vec<i64>) -> Self {
+        let determinant = basis.determinant() as f64;
+        let float = |column: &[i64]| -> Vec<f64> {
+            let over = |&a: &i64| a as f64 / determinant;
+            column.iter().map(over).collect()
+        };
+        Candidate {
+            net: float(&scaled_net),
+            columns: basis
+                .row_columns()
+                .map(|(_, column)| float(column))
+                .collect(),
+            scaled_net,
+            basis,
+        }
+    }
+
     /// Whether its net is that of another basis.
     fn has_net(&self, basis: &Basis, scaled_net: &[i64]) -> bool {
         self.basis.determinant() == basis.determinant() && self.scaled_net == scaled_net
@@ -85,7 +102,8 @@ pub struct Prover {
     pub(super) words: Nets<Exact<I256>>,
     pub(super) big: Nets<Exact<BigInt>>,
     pub(super) candidates: Vec<Candidate>,
-    known: HashMap<Vec<usize>, usize>,
+    /// The candidates with the same rows.
+    known: HashMap<Vec<usize>, Vec<usize>>,
     float_targets: HashMap<(Word, Target), Rc<Vec<FloatFunctional>>>,
     pub(super) main_lemma: Option<Lemma>,
 }
@@ -142,28 +160,15 @@ impl Prover {
             None => self.rows.start(),
         };
         let (basis, scaled_net) = self.rows.propose(&t.0, from)?;
-        let index = match self.known.get(&basis.rows()) {
-            // The same rows with other signs of zeros make another net.
-            Some(&known) if self.candidates[known].has_net(&basis, &scaled_net) => known,
-            _ => {
-                let determinant = basis.determinant() as f64;
-                let float =
-                    |column: &[i64]| column.iter().map(|&a| a as f64 / determinant).collect();
-                let columns = basis
-                    .row_columns()
-                    .map(|(_, column)| float(column))
-                    .collect();
-                let net = float(&scaled_net);
-                self.candidates.push(Candidate {
-                    scaled_net,
-                    net,
-                    columns,
-                    basis,
-                });
-                let index = self.candidates.len() - 1;
-                self.known
-                    .insert(self.candidates[index].basis.rows(), index);
-                index
+        // The same rows with other signs of zeros make another net.
+        let same_rows = self.known.entry(basis.rows()).or_default();
+        let has_net = |&&index: &&usize| self.candidates[index].has_net(&basis, &scaled_net);
+        let index = match same_rows.iter().find(has_net) {
+            Some(&index) => index,
+            None => {
+                same_rows.push(self.candidates.len());
+                self.candidates.push(Candidate::new(basis, scaled_net));
+                self.candidates.len() - 1
             }
         };
         let value = t.at(&self.candidates[index].net);
