@@ -124,12 +124,18 @@ pub fn holds(weight: &RingWeight, c: &[Value; 15], by: &By, bound: &Value) -> bo
             inside && concave && below(&start) && below(&end)
         }
         By::Concave(v, w) => {
+            // Concavity is known on the triangle only.
+            let inside = !v.is_negative() && !w.is_negative() && v + w <= Rational::one();
             let patch = QuarticTriangle(c.clone());
             let [vv, vw, ww] = Patch::<Rational, Value>::second_derivatives(&patch);
             let concave = (0..6).all(|i| negative_semidefinite(weight, &vv[i], &vw[i], &ww[i]));
             let (value, [gv, gw]) = patch.evaluate([v, w]);
             let origin = value - &(gv.clone() * v) - &(gw.clone() * w);
-            concave && below(&origin) && below(&(origin.clone() + &gv)) && below(&(origin + &gw))
+            inside
+                && concave
+                && below(&origin)
+                && below(&(origin.clone() + &gv))
+                && below(&(origin + &gw))
         }
     }
 }
@@ -220,4 +226,111 @@ fn multi_index(at: usize) -> (usize, usize) {
     let r = (0..=4).rfind(|r| r * (r + 1) / 2 <= at).unwrap_or(0);
     let k = at - r * (r + 1) / 2;
     (4 - r, r - k)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scheme::LoopWeights;
+
+    const N: u32 = 7;
+
+    /// The coefficients of `x + a v + b w + p v^2 + 2 h v w + r w^2`, by its blossom
+    /// `x + (a j + b k)/4 + (p j (j-1) + 2 h j k + r k (k-1))/12`.
+    fn quadratic([x, a, b, p, h, r]: [i64; 6]) -> [Value; 15] {
+        std::array::from_fn(|at| {
+            let (i, j) = multi_index(at);
+            let (j, k) = (j as i64, (4 - i - j) as i64);
+            let twelve =
+                12 * x + 3 * (a * j + b * k) + p * j * (j - 1) + 2 * h * j * k + r * k * (k - 1);
+            Value::rational(N, &<Rational as Field>::ratio(twelve, 12))
+        })
+    }
+
+    fn shows(c: &[Value; 15], (p, q): (i64, i64), by: &By) -> bool {
+        let weight = RingWeight::new(LoopWeights::Original, N);
+        holds(
+            &weight,
+            c,
+            by,
+            &Value::rational(N, &<Rational as Field>::ratio(p, q)),
+        )
+    }
+
+    fn ratio(p: i64, q: i64) -> Rational {
+        <Rational as Field>::ratio(p, q)
+    }
+
+    /// 3v + 3w - 4v^2 - 4vw - 4w^2: its slopes 3 - 8v - 4w and 3 - 4v - 8w vanish at (1/4, 1/4), its
+    /// maximum is 3/4.
+    #[test]
+    fn a_concave_quadratic_and_its_maximum() {
+        let c = quadratic([0, 3, 3, -4, -2, -4]);
+        let at = |p, q| By::Concave(ratio(p, q), ratio(p, q));
+        assert!(shows(&c, (3, 4), &at(1, 4)));
+        assert!(!shows(&c, (749_999, 1_000_000), &at(1, 4)));
+        assert!(!shows(&c, (3, 4), &at(1, 5)));
+        assert!(!shows(&c, (9, 1), &at(2, 3)));
+        assert!(!shows(&c, (3, 4), &By::Hull));
+    }
+
+    #[test]
+    fn what_is_not_concave_is_not_shown_to_be() {
+        // A saddle, a valley, and a mixed derivative too large for its squares.
+        for c in [
+            [0, 0, 0, -1, 0, 1],
+            [0, 0, 0, 1, 0, -1],
+            [0, 0, 0, -1, 3, -1],
+        ] {
+            assert!(!shows(
+                &quadratic(c),
+                (9, 1),
+                &By::Concave(ratio(1, 4), ratio(1, 4))
+            ));
+        }
+    }
+
+    /// On w = 0: 4v - 4v^2, at most 1; 9 w less away from it.
+    #[test]
+    fn an_edge_and_its_maximum() {
+        let c = quadratic([0, 4, -9, -4, 0, 0]);
+        assert!(shows(&c, (1, 1), &By::Edge(2, ratio(1, 2))));
+        assert!(!shows(&c, (999, 1000), &By::Edge(2, ratio(1, 2))));
+        assert!(!shows(&c, (1, 1), &By::Edge(2, ratio(1, 3))));
+        assert!(!shows(&c, (1, 1), &By::Edge(2, ratio(3, 2))));
+        assert!(!shows(&c, (1, 1), &By::Edge(1, ratio(1, 2))));
+        // Convex along the edge; and a bump off the edge.
+        assert!(!shows(
+            &quadratic([0, -4, -9, 4, 0, 0]),
+            (1, 1),
+            &By::Edge(2, ratio(1, 2))
+        ));
+        assert!(!shows(
+            &quadratic([0, 4, 9, -4, 0, 0]),
+            (1, 1),
+            &By::Edge(2, ratio(1, 2))
+        ));
+    }
+
+    /// Each quarter's coefficients at its corners are the quartic's values there.
+    #[test]
+    fn quarters_take_the_quartic_with_them() {
+        let c = quadratic([1, 2, 3, -4, 5, -6]);
+        let patch = QuarticTriangle(c.clone());
+        for (letter, quarter) in quarters::<Rational, Value>(&c).iter().enumerate() {
+            for (corner, at) in [0, 10, 14].into_iter().enumerate() {
+                let [v, w] = quarter_corners(letter as u8)[corner].map(|x| ratio(x, 2));
+                assert_eq!(patch.evaluate([&v, &w]).0, quarter[at]);
+            }
+        }
+        let hulls = By::Split(Box::new([By::Hull, By::Hull, By::Hull, By::Hull]));
+        assert!(shows(&quadratic([0, 1, 1, 0, 0, 0]), (1, 1), &hulls));
+        assert!(!shows(&quadratic([0, 1, 1, 0, 0, 0]), (9, 10), &hulls));
+    }
+
+    /// No quartic is bounded by a reason that is not about quartics.
+    #[test]
+    fn regular_is_no_reason_for_a_quartic() {
+        assert!(!shows(&quadratic([0; 6]), (1, 1), &By::Regular));
+    }
 }
