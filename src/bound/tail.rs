@@ -163,3 +163,32 @@ impl Tail {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bound::prover::Target;
+    use crate::scalar::Field;
+    use crate::scheme::LoopWeights;
+
+    /// C_0 = 1/2 at valence 8 with Warren's weights, and it is attained in the rings as well as in the
+    /// tail. A bound below it by less than floats are asked to see must be rejected, exactly.
+    #[test]
+    fn what_floats_let_pass_is_decided_exactly() {
+        let mut prover = Prover::new(LoopWeights::Warren, 8);
+        let half = Rational::ratio(1, 2);
+        let below = half.clone() - Rational::ratio(1, 1 << 45);
+        for (bound, holds) in [(half, true), (below, false)] {
+            let bound = prover.rational_bound(&bound);
+            let tail = Tail {
+                kind: TailKind::Distance(Against::Control, 0),
+                steps: 1,
+                depth: 0,
+                bound: bound.clone(),
+            };
+            assert_eq!(prover.prove_tail(&tail, &bound).is_some(), holds);
+            let target = Target::Distance(Against::Control, 0);
+            assert_eq!(prover.prove_rings(target, 0, 1, &bound).is_ok(), holds);
+        }
+    }
+}
