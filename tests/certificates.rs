@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
+use subcert::bound::word::Word;
 use subcert::bound::{Against, Constant, tabulate};
 use subcert::scalar::Rational;
 use subcert::scheme::LoopWeights::{self, Original, Warren};
@@ -253,8 +254,8 @@ fn mutant(text: &str, random: &mut Random) -> String {
 /// The constants that mutants may claim, enclosed by the library.
 struct Truth(HashMap<Constants, Option<(Rational, Rational)>>);
 
-/// Weights, valence, kind, level.
-type Constants = (String, u32, String, usize);
+/// Weights, valence, kind, level, coefficient.
+type Constants = (String, u32, String, usize, Option<(Word, usize)>);
 
 impl Truth {
     /// Whether lo <= constant <= hi may hold: not certainly false.
@@ -268,24 +269,34 @@ impl Truth {
             "original" => Original,
             _ => Warren,
         };
-        let key = (text("weights"), valence, text("kind"), level);
+        let at = &claim["at"];
+        let coefficient = at["index"].as_u64().map(|index| {
+            let word: Word = at["word"].as_str().expect("text").parse().expect("a word");
+            (word, index as usize)
+        });
+        let key = (text("weights"), valence, text("kind"), level, coefficient);
         let kind = key.2.clone();
-        let known = self
-            .0
-            .entry(key)
-            .or_insert_with(|| enclose(weights, valence, &kind, level));
+        let known = (self.0.entry(key))
+            .or_insert_with(|| enclose(weights, valence, &kind, level, coefficient));
         let (least, most) = known.as_ref().expect("a constant the library knows");
         lo <= *most && *least <= hi
     }
 }
 
-fn enclose(weights: LoopWeights, n: u32, kind: &str, k: usize) -> Option<(Rational, Rational)> {
+fn enclose(
+    weights: LoopWeights,
+    n: u32,
+    kind: &str,
+    k: usize,
+    coefficient: Option<(Word, usize)>,
+) -> Option<(Rational, Rational)> {
     let constant = match kind {
         "control" => Constant::Distance(Against::Control, k),
         "limit" => Constant::Distance(Against::Limit, k),
         "rate" => Constant::Rate(k),
         "mesh-rate" => Constant::MeshRate(k),
         "beta" => Constant::Beta,
+        "coefficient" => coefficient.map(|(word, index)| Constant::Coefficient(word, index))?,
         _ => return None,
     };
     let rows = tabulate(weights, &[n], &[constant], 1e-6, false, &|_, _| ());
@@ -304,8 +315,12 @@ fn mutants_are_rejected_or_claim_what_is_true() {
     let mut random = Random(SEED);
     let mut truth = Truth(HashMap::new());
     let (mut tried, mut verified) = (0, 0);
+    let coefficients = [Word::EMPTY, Word::zeros(1).child(2)];
+    let coefficients = coefficients.map(|word| Constant::Coefficient(word, 4));
     for weights in [Original, Warren] {
-        for row in tabulate(weights, &[3, 5, 6, 8], &constants(), 1e-6, true, &|_, _| ()) {
+        let rows = tabulate(weights, &[3, 5, 6, 8], &constants(), 1e-6, true, &|_, _| ());
+        let more = tabulate(weights, &[6], &coefficients, 1e-6, true, &|_, _| ());
+        for row in rows.into_iter().chain(more) {
             let text = String::from_utf8(bytes(&row)).expect("text");
             for _ in 0..MUTANTS_OF_EACH {
                 let mutant = mutant(&text, &mut random);
