@@ -12,7 +12,7 @@
 //! **Bases.** A vertex of either program is a [`Basis`]: a maximal independent set of rows, whose
 //! inverse is kept in integers (a common denominator and an integer matrix, both small for second
 //! differences). Every number of the basis is exact; only the right-hand side t has an arithmetic of
-//! its own. So the one pivot loop of [`simplex`] serves twice: with t in `f64` it proposes bases
+//! its own. So the one pivot loop serves twice: with t in `f64` it proposes bases
 //! (fast, proves nothing), with t exact it decides.
 //!
 //! | question | answered by |
