@@ -59,6 +59,15 @@ fn regular_valence_is_known_in_closed_form() {
     }
 }
 
+/// At high levels floats see rounding errors only: the exact simplex ends what they begin.
+#[test]
+fn rates_of_high_levels_are_exact() {
+    for k in [12, 16] {
+        let rate = exact(&mut Prover::new(Original, 6), Constant::Rate(k));
+        assert_eq!(rate, ratio(1, 1 << (2 * k)));
+    }
+}
+
 /// HW, after (6).
 #[test]
 fn the_deltas_of_a_regular_patch() {

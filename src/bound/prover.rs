@@ -160,19 +160,24 @@ impl Prover {
             None => self.rows.start(),
         };
         let (basis, scaled_net) = self.rows.propose(&t.0, from)?;
+        let index = self.keep(basis, scaled_net);
+        let value = t.at(&self.candidates[index].net);
+        Some((index, value))
+    }
+
+    /// The index of a candidate, new or known.
+    pub(super) fn keep(&mut self, basis: Basis, scaled_net: Vec<i64>) -> usize {
         // The same rows with other signs of zeros make another net.
         let same_rows = self.known.entry(basis.rows()).or_default();
         let has_net = |&&index: &&usize| self.candidates[index].has_net(&basis, &scaled_net);
-        let index = match same_rows.iter().find(has_net) {
+        match same_rows.iter().find(has_net) {
             Some(&index) => index,
             None => {
                 same_rows.push(self.candidates.len());
                 self.candidates.push(Candidate::new(basis, scaled_net));
                 self.candidates.len() - 1
             }
-        };
-        let value = t.at(&self.candidates[index].net);
-        Some((index, value))
+        }
     }
 
     /// `Σ |x_l|` of a functional in a candidate's basis, in `f64`.

@@ -1,12 +1,14 @@
 //! Constants that are finitely many programs: rates, and single coefficients.
 
-use num_traits::Zero;
+use num_bigint::BigInt;
+use num_traits::{ToPrimitive, Zero};
 
 use super::constant::{At, Conclusion, Constant, Proof};
 use super::nets::Against;
 use super::prover::{Prover, Target};
 use super::value::Value;
 use super::word::Word;
+use crate::scalar::{Cyclotomic, Rational};
 
 impl Prover {
     pub(super) fn rate(&mut self, constant: Constant, words: Vec<Word>) -> Option<Proof> {
@@ -18,10 +20,20 @@ impl Prover {
             let mut list = Vec::new();
             let mut hint = None;
             for (l, t) in floats.iter().enumerate() {
-                let (index, _) = self.propose(t, hint)?;
+                let (mut index, _) = self.propose(t, hint)?;
+                let mut above = self.difference_weight(word, l, index)?;
+                let known = best
+                    .as_ref()
+                    .map_or_else(Value::zero, |(known, ..)| known.clone());
+                let below = self.difference_value(word, l, index);
+                let enough = self.weight.at_most(&above, &self.absolute(below))
+                    || self.weight.at_most(&above, &known);
+                if !enough && let Some(settled) = self.settle_difference(word, l, index) {
+                    index = settled;
+                    above = self.difference_weight(word, l, index)?;
+                }
                 hint = Some(index);
                 list.push(index);
-                let above = self.difference_weight(word, l, index)?;
                 if !self.weight.at_most(&above, &upper) {
                     upper = above;
                 }
@@ -47,6 +59,27 @@ impl Prover {
             lemma: None,
             conclusion: Conclusion::Differences(bases),
         })
+    }
+
+    /// The optimal basis of a second difference by the exact simplex, from a candidate: for where floats
+    /// leave only rounding to decide (differences of high levels are small sums of large terms).
+    fn settle_difference(&mut self, word: Word, l: usize, from: usize) -> Option<usize> {
+        // Positive factors do not matter: the numerators at b.
+        let numerators = self.big.difference(word, l).numerators;
+        let b = self.weight.exact.clone();
+        let at = |point: usize| {
+            let horner = |sum: Cyclotomic, row: &Vec<BigInt>| {
+                let coefficient = Rational::from_integer(row[point].clone());
+                sum * &b + Cyclotomic::from_rational(&coefficient)
+            };
+            numerators.iter().rev().fold(Cyclotomic::zero(), horner)
+        };
+        let t: Vec<Cyclotomic> = (0..self.rows.size()).map(at).collect();
+        let best = self.rows.minimise(&t, &self.candidate(from).basis)?;
+        let determinant = Rational::from_integer(best.basis.determinant().into());
+        let scaled = |y: &Rational| (y * &determinant).to_integer().to_i64();
+        let net: Option<Vec<i64>> = best.y.iter().map(scaled).collect();
+        Some(self.keep(best.basis, net?))
     }
 
     pub(super) fn coefficient(&mut self, word: Word, index: usize) -> Option<Proof> {
