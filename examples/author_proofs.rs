@@ -79,7 +79,7 @@ fn certificate(weights: LoopWeights, n: u32, constant: Constant) -> Result<Value
     let rows = constants(weights, &[n], &[constant]);
     let mut text = Vec::new();
     let certificate = rows[0].certificate.as_ref().ok_or("no certificate")?;
-    println!("from {}", certificate.claim.file_name());
+    println!("from {}", certificate.file_name().unwrap_or_default());
     certificate.write(&mut text)?;
     Ok(serde_json::from_slice(&text)?)
 }

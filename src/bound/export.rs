@@ -9,7 +9,7 @@ use super::part::CellProof;
 use super::prover::Prover;
 use super::tail::TailProof;
 use super::value::Value;
-use crate::certificate::{self, Certificate, Claim, CoefficientAt, Number, Step};
+use crate::certificate::{self, Certificate, Claim, CoefficientAt, ConstantClaim, Number, Step};
 use crate::scalar::{Rational, cosine};
 use crate::scheme::LoopWeights;
 
@@ -87,6 +87,18 @@ fn reason(by: &By) -> certificate::By {
     }
 }
 
+/// The enclosure of cos(π/n) that a certificate about Loop's scheme needs; `None` where the ring weight
+/// is rational.
+pub fn cosine_of_loop(weights: LoopWeights, n: u32) -> Option<[String; 2]> {
+    if weights == LoopWeights::Warren || matches!(n, 3 | 4 | 6) {
+        return None;
+    }
+    // 2 cos(π/n) = 2 cos(2π/(2n)), halved.
+    let twice = cosine::enclose_two_cos(1, 2 * n, COSINE_BITS)?;
+    let half = |x: Rational| (x / Rational::from_integer(2.into())).to_string();
+    Some([half(twice.inf_rational()), half(twice.sup_rational())])
+}
+
 impl Prover {
     /// The certificate of a proof made by this prover.
     pub fn certificate(&self, proof: &Proof) -> Certificate {
@@ -155,18 +167,18 @@ impl Prover {
         Certificate {
             format: "subcert".into(),
             version: 1,
-            claim: self.claim(proof),
-            cosine: self.cosine(),
+            claim: Claim::Constant(self.claim(proof)),
+            cosine: cosine_of_loop(self.weight.weights, self.valence()),
             bases: bases.list,
             steps,
         }
     }
 
-    fn claim(&self, proof: &Proof) -> Claim {
+    fn claim(&self, proof: &Proof) -> ConstantClaim {
         let exact_float = |x: f64| Rational::from_float(x).map_or("?".into(), |r| r.to_string());
-        Claim {
+        ConstantClaim {
             scheme: "loop".into(),
-            weights: self.weight.weights.to_string(),
+            weights: Some(self.weight.weights.to_string()),
             valence: self.valence(),
             level: proof.constant.level(),
             kind: proof.constant.name().into(),
@@ -191,17 +203,6 @@ impl Prover {
         }
         let coefficients = value.ring_sum_coefficients(self.valence());
         Number::OverQ(coefficients.iter().map(Rational::to_string).collect())
-    }
-
-    fn cosine(&self) -> Option<[String; 2]> {
-        let n = self.valence();
-        if self.weight.weights == LoopWeights::Warren || matches!(n, 3 | 4 | 6) {
-            return None;
-        }
-        // 2 cos(π/n) = 2 cos(2π/(2n)), halved.
-        let twice = cosine::enclose_two_cos(1, 2 * n, COSINE_BITS)?;
-        let half = |x: Rational| (x / Rational::from_integer(2.into())).to_string();
-        Some([half(twice.inf_rational()), half(twice.sup_rational())])
     }
 
     fn lemma_step(&self, lemma: &Lemma, bases: &mut Bases<'_>) -> Step {

@@ -57,6 +57,7 @@ pub mod value;
 pub mod word;
 
 pub use constant::{Constant, Proof};
+pub use export::cosine_of_loop;
 pub use nets::Against;
 pub use part::CellProof;
 pub use prover::{Bound, Candidate, Prover};

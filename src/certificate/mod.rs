@@ -7,6 +7,10 @@ use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
 
+mod violation;
+
+pub use violation::{Form, MeshViolation, NetViolation};
+
 /// A certificate file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -27,19 +31,32 @@ pub struct Certificate {
 
 /// What is proved.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Claim {
+    /// A two-sided enclosure of a constant.
+    Constant(ConstantClaim),
+    /// A net that violates an inequality.
+    Net(NetViolation),
+    /// A closed mesh that violates one.
+    Mesh(MeshViolation),
+}
+
+/// A constant lies between lo and hi.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Claim {
-    /// "loop".
+pub struct ConstantClaim {
+    /// "loop", "catmull-clark" or "doo-sabin".
     pub scheme: String,
-    /// "original" or "warren".
-    pub weights: String,
-    /// The valence n.
+    /// Loop: "original" or "warren".
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub weights: Option<String>,
+    /// The valence n; for Doo-Sabin the number of sides of the face.
     pub valence: u32,
     /// The level k.
     pub level: usize,
-    /// The constant: "control", "limit", "rate", "mesh-rate", "coefficient".
+    /// The constant: "control", "limit", "rate", "mesh-rate", "coefficient", "beta".
     pub kind: String,
-    /// "second".
+    /// "second", "first" or "face".
     pub norm: String,
     /// Which coefficient, for that kind.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -52,17 +69,24 @@ pub struct Claim {
     pub exact: Option<Number>,
 }
 
-impl Claim {
-    /// The name of the claim's file: scheme, weights, kind, valence, level, coefficient.
+impl ConstantClaim {
+    /// The name of the claim's file: scheme, weights, kind, norm if it is not the scheme's only one,
+    /// valence, level, coefficient.
     pub fn file_name(&self) -> String {
         let at = match &self.at {
             Some(at) if at.word.is_empty() => format!("-at-face-{}", at.index),
             Some(at) => format!("-at-{}-{}", at.word, at.index),
             None => String::new(),
         };
+        let weights = self.weights.as_ref();
+        let weights = weights.map_or_else(String::new, |weights| format!("-{weights}"));
+        let norm = match &*self.scheme {
+            "catmull-clark" => format!("-{}", self.norm),
+            _ => String::new(),
+        };
         format!(
-            "{}-{}-{}-n{:02}-k{}{at}.json",
-            self.scheme, self.weights, self.kind, self.valence, self.level
+            "{}{weights}-{}{norm}-n{:02}-k{}{at}.json",
+            self.scheme, self.kind, self.valence, self.level
         )
     }
 }
@@ -165,6 +189,20 @@ pub enum Step {
         /// The basis.
         basis: usize,
     },
+    /// The net that violates the claim's inequality.
+    Violated {
+        /// Rationals, one for each point of the local net.
+        net: Vec<String>,
+    },
+    /// The claim's mesh violates LN's recurrence: nothing to add.
+    Recurrence {},
+    /// The claim's mesh violates LN's rate: nothing to add.
+    Rate {},
+    /// The surface is farther from the mesh at the middle of an edge than any vertex from its limit.
+    Distance {
+        /// The edge's vertices, from 1.
+        edge: [usize; 2],
+    },
 }
 
 /// Where a net attains a bound.
@@ -217,6 +255,26 @@ pub enum By {
 }
 
 impl Certificate {
+    /// A certificate of a violated inequality.
+    pub fn of_violation(claim: Claim, cosine: Option<[String; 2]>, step: Step) -> Self {
+        Certificate {
+            format: "subcert".into(),
+            version: 1,
+            claim,
+            cosine,
+            bases: Vec::new(),
+            steps: vec![step],
+        }
+    }
+
+    /// The name of its file; violations are named by those who know what is violated.
+    pub fn file_name(&self) -> Option<String> {
+        match &self.claim {
+            Claim::Constant(claim) => Some(claim.file_name()),
+            Claim::Net(_) | Claim::Mesh(_) => None,
+        }
+    }
+
     /// Writes the file, one step or basis on a line, so that files compare line by line.
     ///
     /// # Errors

@@ -83,7 +83,7 @@ pub fn write_certificates(folder: &Path, rows: &[Row]) -> io::Result<Vec<PathBuf
     let mut written = Vec::new();
     for row in rows {
         if let Some(certificate) = &row.certificate {
-            let path = folder.join(certificate.claim.file_name());
+            let path = folder.join(certificate.file_name().expect("constants have names"));
             write_atomically(&path, |out| certificate.write(out))?;
             written.push(path);
         }

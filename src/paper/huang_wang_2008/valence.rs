@@ -89,7 +89,7 @@ impl Examiner {
     fn prove(&mut self, constant: Constant, gap: f64) -> Option<Proved> {
         let proof: Proof = self.prover.prove(constant, gap)?;
         let certificate = self.prover.certificate(&proof);
-        let file = certificate.claim.file_name();
+        let file = certificate.file_name()?;
         let proved = Proved {
             value: Enclosure::floats(proof.lo, proof.hi)?,
             exact: self.prover.closed_form(&proof),
