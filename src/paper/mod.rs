@@ -9,6 +9,7 @@
 mod enclosure;
 pub mod huang_wang_2008;
 mod report;
+mod words;
 
 pub use enclosure::{Enclosure, Printed};
 pub use report::{Claim, Counterexample, Look, Plot, Report, Series, Table, Verdict};

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::Findings;
 use super::nets::regular_coefficients;
 use super::valence::{LEVELS, place};
-use super::words::{DIGITS, all, claim};
+use crate::paper::words::{DIGITS, all, claim};
 use crate::paper::{Claim, Table, Verdict};
 use crate::scalar::{Rational, Ring};
 

@@ -15,7 +15,7 @@ use super::Findings;
 use super::nets::radial;
 use super::printed;
 use super::valence::{Valence, place};
-use super::words::{
+use crate::paper::words::{
     DIGITS, all, bounds, by_verdict, claim, decimal, exceptions, gravest, judge, list, ranges,
 };
 use crate::paper::{Claim, Counterexample, Enclosure, Printed, Table, Verdict};

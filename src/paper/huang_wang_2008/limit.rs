@@ -6,7 +6,7 @@ use super::Findings;
 use super::bound_function::{BoundFunction, Curve};
 use super::printed;
 use super::valence::Valence;
-use super::words::{
+use crate::paper::words::{
     DIGITS, FINE_DIGITS, all, bounds, by_verdict, claim, decimal, exceptions, gravest, if_true,
     judge, list,
 };

@@ -27,15 +27,14 @@ mod regular;
 mod table_3;
 mod theorem_4;
 mod valence;
-mod words;
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 
 use super::Report;
+use crate::paper::words::{self, ranges};
 use valence::{Proved, Valence};
-use words::ranges;
 
 /// What is known of all valences asked for.
 struct Findings {

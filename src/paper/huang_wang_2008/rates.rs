@@ -5,7 +5,9 @@ use std::cmp::Ordering;
 use super::Findings;
 use super::printed;
 use super::valence::{MESH_LEVELS, RATES, STEPS, Valence, place};
-use super::words::{DIGITS, all, by_verdict, claim, exceptions, gravest, judge, list, ranges};
+use crate::paper::words::{
+    DIGITS, all, by_verdict, claim, exceptions, gravest, judge, list, ranges,
+};
 use crate::paper::{Claim, Enclosure, Table, Verdict};
 use crate::scalar::{Cyclotomic, Field};
 

@@ -5,10 +5,10 @@ use num_traits::Zero;
 use super::nets::{radial, regular_coefficients};
 use super::printed;
 use super::valence::Valence;
-use super::words::claim;
 use crate::bernstein::Patch;
 use crate::bernstein::conversion::{BOX_SPLINE_DENOMINATOR, BOX_SPLINE_ROWS};
 use crate::bernstein::triangle::{QuarticTriangle, index};
+use crate::paper::words::claim;
 use crate::paper::{Claim, Counterexample, Verdict};
 use crate::scalar::{Field, Rational, Ring};
 

@@ -8,8 +8,8 @@ use super::control::Reading;
 use super::depth::steps;
 use super::needed::Depth;
 use super::valence::Valence;
-use super::words::{by_verdict, claim, failures, gravest, list, ranges};
 use super::{Findings, printed};
+use crate::paper::words::{by_verdict, claim, failures, gravest, list, ranges};
 use crate::paper::{Claim, Enclosure, Table, Verdict};
 use crate::scalar::{Field, Rational, Ring};
 

@@ -6,7 +6,7 @@ use super::Findings;
 use super::depth::steps;
 use super::table_3::{LAMBDAS, Mesh, ratio};
 use super::valence::{LEVELS, RATES};
-use super::words::{DIGITS, all, by_verdict, claim, gravest, list};
+use crate::paper::words::{DIGITS, all, by_verdict, claim, gravest, list};
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::scalar::{Cyclotomic, Field, Rational, Ring};
 

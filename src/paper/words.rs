@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::paper::{Claim, Enclosure, Printed, Verdict};
+use super::{Claim, Enclosure, Printed, Verdict};
 
 /// Digits of the tables.
 pub const DIGITS: u32 = 6;
