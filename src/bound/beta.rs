@@ -10,20 +10,23 @@
 
 use num_bigint::BigInt;
 
-use super::cell::{self, By, quarters};
+use super::cell::{self, By};
 use super::constant::{At, Conclusion, Constant, Proof};
 use super::nets::Against;
 use super::part::{CellProof, rationals_near, reasons};
 use super::prover::{Bound, Prover, Target};
-use super::quartic;
+use super::rules::Family;
+use super::maximum;
+use super::shape::Shape;
 use super::tail::{Tail, TailKind};
 use super::value::Value;
 use super::word::Word;
-use crate::bernstein::Patch;
-use crate::bernstein::triangle::QuarticTriangle;
 use crate::scalar::Rational;
 
 const TARGET: Target = Target::Distance(Against::Limit, 0);
+
+/// The method is about Loop's scheme.
+const SHAPE: Shape = Shape::Triangle;
 
 /// Deepest splitting of a tile's quartic.
 const DEEPEST: usize = 8;
@@ -33,12 +36,15 @@ struct TileMethod {
     word: Word,
     bases: Vec<usize>,
     /// The δ_i.
-    float: [f64; 15],
+    float: Vec<f64>,
 }
 
 impl Prover {
     /// Encloses β; `None` if no proof was found.
     pub(super) fn beta(&mut self, gap: f64) -> Option<Proof> {
+        let Family::Loop(_) = self.family else {
+            return None;
+        };
         let lemma = self.main_lemma()?;
         let whole = |cell: &CellProof| cell.word.len() == cell.word.leading_zeros() + 1;
         if !lemma
@@ -55,7 +61,7 @@ impl Prover {
             }
         }
         let maxima: Vec<(f64, [f64; 2])> =
-            tiles.iter().map(|t| quartic::maximise(&t.float)).collect();
+            tiles.iter().map(|t| maximum::maximise(SHAPE, &t.float)).collect();
         let best = (0..tiles.len())
             .max_by(|&a, &b| maxima[a].0.total_cmp(&maxima[b].0).then(b.cmp(&a)))?;
         let (word, nets) = (tiles[best].word, tiles[best].bases.clone());
@@ -65,8 +71,8 @@ impl Prover {
             if exact && (*v.denom() > BigInt::from(64) || *w.denom() > BigInt::from(64)) {
                 continue;
             }
-            let (value, _) = QuarticTriangle(lower.clone()).evaluate([&v, &w]);
-            let lo = self.weight.enclose(&value);
+            let (value, _) = SHAPE.evaluate(&lower, [&v, &w]);
+            let lo = self.numbers.enclose(&value);
             let bound = if exact {
                 self.bound(value.clone())
             } else {
@@ -79,7 +85,7 @@ impl Prover {
             return Some(Proof {
                 constant: Constant::Beta,
                 lo: lo.inf(),
-                hi: self.weight.enclose(&bound.value).sup(),
+                hi: self.numbers.enclose(&bound.value).sup(),
                 exact: exact.then_some(value),
                 net: nets[0],
                 at: At::Tile { word, nets, v, w },
@@ -93,21 +99,22 @@ impl Prover {
     fn tile(&mut self, word: Word) -> Option<TileMethod> {
         let t = self.float_target(word, TARGET);
         let mut bases = Vec::with_capacity(15);
-        let mut float = [0.0; 15];
-        for (i, t) in t.iter().enumerate() {
+        let mut float = Vec::with_capacity(15);
+        for t in t.iter() {
             let (index, value) = self.propose(t, bases.last().copied())?;
             bases.push(index);
-            float[i] = value;
+            float.push(value);
         }
         Some(TileMethod { word, bases, float })
     }
 
     /// The magnitudes of the coefficients, each at its own net.
-    fn tile_values(&mut self, word: Word, nets: &[usize]) -> [Value; 15] {
-        std::array::from_fn(|i| {
-            let value = self.values_at(word, TARGET, nets[i])[i].clone();
+    fn tile_values(&mut self, word: Word, nets: &[usize]) -> Vec<Value> {
+        let at = |(i, &net): (usize, &usize)| {
+            let value = self.values_at(word, TARGET, net)[i].clone();
             self.absolute(value)
-        })
+        };
+        nets.iter().enumerate().map(at).collect()
     }
 
     fn tiles(
@@ -149,18 +156,18 @@ impl Prover {
     /// A reason why a quartic is below a bound, exact; splits it where it must.
     fn reason(
         &self,
-        c: &[f64; 15],
-        exact: &[Value; 15],
+        c: &[f64],
+        exact: &[Value],
         bound: &Bound,
         depth: usize,
     ) -> Option<By> {
-        let holds = |by: &By| cell::holds(&self.weight, exact, by, &bound.value);
-        if let Some(by) = reasons(c, bound.float).into_iter().find(holds) {
+        let holds = |by: &By| cell::holds(&self.numbers, SHAPE, exact, by, &bound.value);
+        if let Some(by) = reasons(SHAPE, c, bound.float).into_iter().find(holds) {
             return Some(by);
         }
         let depth = depth.checked_sub(1)?;
-        let floats = quarters::<f64, f64>(c);
-        let values = quarters::<Rational, Value>(exact);
+        let floats = SHAPE.quarters::<f64, f64>(c);
+        let values = SHAPE.quarters::<Rational, Value>(exact);
         let mut found = Vec::with_capacity(4);
         for (c, exact) in floats.iter().zip(&values) {
             found.push(self.reason(c, exact, bound, depth)?);

@@ -1,5 +1,5 @@
 //! Why a bound holds over a part: the weights of a target's Bernstein coefficients in a basis, and
-//! three reasons why the quartic they form stays below a number.
+//! three reasons why the polynomial they form stays below a number.
 //!
 //! Let `t(v,w) = Σ t_i B_i(v,w)` and `t_i = Σ_l x_l^i α_l` in one basis. Then
 //! `‖t(v,w)‖ <= Σ_l |Σ_i x_l^i B_i| <= c(v,w) = Σ_i c_i B_i(v,w)`, `c_i = Σ_l |x_l^i|`. Where no x_l
@@ -9,36 +9,34 @@ use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 use super::functional::{ExactFunctional, FloatFunctional, Integer};
-use super::value::{RingWeight, Value, value_of};
-use super::word::quarter_corners;
-use crate::bernstein::Patch;
-use crate::bernstein::triangle::{QuarticTriangle, index};
+use super::shape::Shape;
+use super::value::{Numbers, Value, value_of};
 use crate::lp::Basis;
-use crate::scalar::{Field, Module, Rational};
+use crate::scalar::Rational;
 
-/// Why a quartic stays below a bound over its triangle.
+/// Why a polynomial stays below a bound over its domain.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum By {
     /// All coefficients do.
     Hull,
-    /// The coefficients off one edge do; on the edge the quartic is concave and its tangent at a
-    /// parameter does at both ends. Edge e is opposite to corner e.
+    /// The coefficients off one edge do; on the edge the polynomial is concave and its tangent at a
+    /// parameter does at both ends. Edges as in [`Shape::edge`].
     Edge(usize, Rational),
-    /// For words shorter than k: the second differences of the word's net, d levels above k, are at most
-    /// the bound over [`regular_factor`]. No quartic is involved.
+    /// For words shorter than k: the differences of the word's net, d levels above k, are at most the
+    /// bound over the factor of regular nets. No polynomial is involved.
     Regular,
     /// Each of the four quarters is below the bound for its own reason, in the order of letters.
     Split(Box<[By; 4]>),
-    /// The quartic is concave, and its tangent plane at a point does at the three corners.
+    /// The polynomial is concave, and its tangent plane at a point does at the corners.
     Concave(Rational, Rational),
 }
 
 /// The weight `Σ |x_l|` of a functional in a basis; `None` if it is not in the span of the rows.
 ///
-/// Where the sign of x_l is not certain on the fine enclosure of b, a rational at least |x_l q| takes
-/// its place.
+/// Where the sign of x_l is not certain on the fine enclosures, a rational at least |x_l q| takes its
+/// place.
 pub fn exact_weight<T: Integer>(
-    weight: &RingWeight,
+    numbers: &Numbers,
     t: &ExactFunctional<T>,
     basis: &Basis,
 ) -> Option<Value> {
@@ -61,16 +59,16 @@ pub fn exact_weight<T: Integer>(
     let mut slack = Rational::zero();
     for (_, column) in basis.row_columns() {
         let x = polynomial(column);
-        match weight.sign(&x) {
+        match numbers.sign(&x) {
             Some(sign) => {
                 for (s, c) in sum.iter_mut().zip(&x) {
                     s.add_scaled(c, i64::from(sign));
                 }
             }
-            None => slack += weight.magnitude(&x),
+            None => slack += numbers.magnitude(&x),
         }
     }
-    let denominator = BigInt::from(t.denominator) * basis.determinant().abs();
+    let denominator = &t.denominator * basis.determinant().abs();
     let slack = slack / Rational::from_integer(denominator.clone());
     Some(value_of(&sum, &denominator) + &Value::new(vec![slack]))
 }
@@ -81,180 +79,109 @@ pub fn float_weight(t: &FloatFunctional, columns: &[Vec<f64>]) -> f64 {
     columns.iter().map(|column| t.at(column).abs()).sum()
 }
 
-/// `C_d = 4^-d / 2` and `B_d = 4^-d / 3` of regular nets: |S - F_d| <= factor M.
-///
-/// Each second difference of a refined regular net is a mean of second differences over 4, so M falls
-/// by 4^-1 a level, also over all parts. A step moves vertex points by at most 3/8 M and edge points by
-/// M/8 off F_0, hence |F_1 - F_0| <= 3/8 M and |S - F_0| <= 3/8 (1 + 1/4 + ..) M = M/2. B_0 = 1/3 is
-/// Theorem 2 of HW.
-pub fn regular_factor(against: super::nets::Against, d: usize) -> Rational {
-    let denominator = match against {
-        super::nets::Against::Control => 2,
-        super::nets::Against::Limit => 3,
-    };
-    Rational::new(BigInt::from(1), BigInt::from(denominator) << (2 * d))
-}
-
-/// Whether the quartic with the given coefficients is at most `bound` over its triangle, for the
+/// Whether the polynomial with the given coefficients is at most `bound` over its domain, for the
 /// given reason; exact.
-pub fn holds(weight: &RingWeight, c: &[Value; 15], by: &By, bound: &Value) -> bool {
-    let below = |value: &Value| weight.at_most(value, bound);
+pub fn holds(numbers: &Numbers, shape: Shape, c: &[Value], by: &By, bound: &Value) -> bool {
+    let below = |value: &Value| numbers.at_most(value, bound);
     match by {
         By::Hull => c.iter().all(below),
         By::Regular => false,
         By::Split(reasons) => {
-            let quarters = quarters::<Rational, Value>(c);
-            let pairs = quarters.iter().zip(reasons.iter());
-            pairs.into_iter().all(|(c, by)| holds(weight, c, by, bound))
+            let quarters = shape.quarters::<Rational, Value>(c);
+            let mut pairs = quarters.iter().zip(reasons.iter());
+            pairs.all(|(c, by)| holds(numbers, shape, c, by, bound))
         }
         By::Edge(edge, at) => {
-            let on = edge_indices(*edge);
-            if !(0..15).all(|i| on.contains(&i) || below(&c[i])) {
+            let on = shape.edge(*edge);
+            if !(0..c.len()).all(|i| on.contains(&i) || below(&c[i])) {
                 return false;
             }
-            let f = on.map(|i| c[i].clone());
+            let f: Vec<Value> = on.iter().map(|&i| c[i].clone()).collect();
             let concave = f.windows(3).all(|w| {
-                let second = w[0].clone() + &w[2] - &(w[1].clone() * &two());
-                weight.at_most(&second, &Value::zero())
+                let second = w[0].clone() + &w[2] - &(w[1].clone() * &integer(2));
+                numbers.at_most(&second, &Value::zero())
             });
-            let (value, slope) = evaluate_quartic(&f, at);
+            let (value, slope) = evaluate_edge(&f, at);
             let start = value.clone() - &(slope.clone() * at);
             let end = value + &(slope * &(Rational::one() - at));
             let inside = !at.is_negative() && *at <= Rational::one();
             inside && concave && below(&start) && below(&end)
         }
         By::Concave(v, w) => {
-            // Concavity is known on the triangle only.
-            let inside = !v.is_negative() && !w.is_negative() && v + w <= Rational::one();
-            let patch = QuarticTriangle(c.clone());
-            let [vv, vw, ww] = Patch::<Rational, Value>::second_derivatives(&patch);
-            let concave = (0..6).all(|i| negative_semidefinite(weight, &vv[i], &vw[i], &ww[i]));
-            let (value, [gv, gw]) = patch.evaluate([v, w]);
+            // Concavity is known on the domain only.
+            let inside = shape.contains([v, w]);
+            let [vv, vw, ww] = shape.second_derivatives::<Rational, Value>(c);
+            let definite = |i: usize| negative_semidefinite(numbers, &vv[i], &vw[i], &ww[i]);
+            let concave = (0..vv.len()).all(definite);
+            let (value, [gv, gw]) = shape.evaluate(c, [v, w]);
             let origin = value - &(gv.clone() * v) - &(gw.clone() * w);
-            inside
-                && concave
-                && below(&origin)
-                && below(&(origin.clone() + &gv))
-                && below(&(origin + &gw))
+            let tangent = |&[x, y]: &[i64; 2]| {
+                origin.clone() + &(gv.clone() * &integer(x)) + &(gw.clone() * &integer(y))
+            };
+            inside && concave && shape.corners().iter().map(tangent).all(|value| below(&value))
         }
     }
 }
 
-/// Indices of the coefficients on the edge opposite to a corner, from its lower corner to the higher.
-pub fn edge_indices(edge: usize) -> [usize; 5] {
-    std::array::from_fn(|i| match edge {
-        0 => index(4 - i, i),
-        1 => index(0, i),
-        _ => index(i, 0),
-    })
+fn integer(k: i64) -> Rational {
+    Rational::from_integer(BigInt::from(k))
 }
 
-fn two() -> Rational {
-    Rational::from_integer(BigInt::from(2))
-}
-
-/// Value and slope of a quartic in Bernstein form on [0, 1], by de Casteljau's algorithm.
-fn evaluate_quartic(f: &[Value; 5], at: &Rational) -> (Value, Value) {
+/// Value and slope of a polynomial in Bernstein form on [0, 1], by de Casteljau's algorithm.
+fn evaluate_edge(f: &[Value], at: &Rational) -> (Value, Value) {
     let rest = Rational::one() - at;
     let mut level = f.to_vec();
     while level.len() > 2 {
         let mean = |pair: &[Value]| pair[0].clone() * &rest + &(pair[1].clone() * at);
         level = level.windows(2).map(mean).collect();
     }
-    let slope = (level[1].clone() - &level[0]) * &Rational::from_integer(BigInt::from(4));
+    let degree = integer(f.len() as i64 - 1);
+    let slope = (level[1].clone() - &level[0]) * &degree;
     (level[0].clone() * &rest + &(level[1].clone() * at), slope)
 }
 
 /// Whether [[a, b], [b, d]] has no positive eigenvalue: a <= 0, d <= 0, b^2 <= a d. The factor 1/q is
 /// common to the three.
-fn negative_semidefinite(weight: &RingWeight, a: &Value, b: &Value, d: &Value) -> bool {
+fn negative_semidefinite(numbers: &Numbers, a: &Value, b: &Value, d: &Value) -> bool {
     let zero = Value::zero();
-    let product = |x: &Value, y: &Value| {
-        let (x, y) = (x.coefficients(), y.coefficients());
-        let mut sums = vec![Rational::zero(); x.len() + y.len()];
-        for (i, p) in x.iter().enumerate() {
-            for (j, q) in y.iter().enumerate() {
-                sums[i + j] += p * q;
-            }
-        }
-        Value::new(sums)
-    };
-    weight.at_most(a, &zero)
-        && weight.at_most(d, &zero)
-        && weight.at_most(&product(b, b), &product(a, d))
-}
-
-/// The Bernstein coefficients over the four quarters of the triangle, in the order of letters.
-///
-/// Coefficient (i, j, k) of a quarter with corners p, q, r is the blossom at i times p, j times q, k
-/// times r: four de Casteljau steps, one for each argument.
-pub fn quarters<S: Field, V: Module<S>>(c: &[V; 15]) -> [[V; 15]; 4] {
-    let half = |[v, w]: [i64; 2]| [2 - v - w, v, w].map(|p| S::ratio(p, 2));
-    std::array::from_fn(|letter| {
-        let corners = quarter_corners(letter as u8).map(half);
-        std::array::from_fn(|at| {
-            let (i, j) = multi_index(at);
-            let argument = |step: usize| match step {
-                _ if step < i => &corners[0],
-                _ if step < i + j => &corners[1],
-                _ => &corners[2],
-            };
-            let mut level: Vec<V> = c.to_vec();
-            for step in 0..4 {
-                let [u, v, w] = argument(step);
-                let rows = 3 - step;
-                let mut next = Vec::with_capacity(10);
-                for r in 0..=rows {
-                    for k in 0..=r {
-                        let (j, here) = (r - k, index(r - k, k));
-                        next.push(
-                            level[here].clone() * u
-                                + &(level[index(j + 1, k)].clone() * v)
-                                + &(level[index(j, k + 1)].clone() * w),
-                        );
-                    }
-                }
-                level = next;
-            }
-            level[0].clone()
-        })
-    })
-}
-
-/// (i, j) of the coefficient with an index.
-fn multi_index(at: usize) -> (usize, usize) {
-    let r = (0..=4).rfind(|r| r * (r + 1) / 2 <= at).unwrap_or(0);
-    let k = at - r * (r + 1) / 2;
-    (4 - r, r - k)
+    numbers.at_most(a, &zero)
+        && numbers.at_most(d, &zero)
+        && numbers.at_most(&numbers.product(b, b), &numbers.product(a, d))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::Field;
     use crate::scheme::LoopWeights;
 
-    const N: u32 = 7;
+    const SHAPES: [Shape; 3] = [Shape::Triangle, Shape::Bicubic, Shape::Biquadratic];
 
-    /// The coefficients of `x + a v + b w + p v^2 + 2 h v w + r w^2`, by its blossom
-    /// `x + (a j + b k)/4 + (p j (j-1) + 2 h j k + r k (k-1))/12`.
-    fn quadratic([x, a, b, p, h, r]: [i64; 6]) -> [Value; 15] {
-        std::array::from_fn(|at| {
-            let (i, j) = multi_index(at);
-            let (j, k) = (j as i64, (4 - i - j) as i64);
-            let twelve =
-                12 * x + 3 * (a * j + b * k) + p * j * (j - 1) + 2 * h * j * k + r * k * (k - 1);
-            Value::rational(N, &<Rational as Field>::ratio(twelve, 12))
-        })
+    fn numbers() -> Numbers {
+        Numbers::of_loop(LoopWeights::Original, 7)
     }
 
-    fn shows(c: &[Value; 15], (p, q): (i64, i64), by: &By) -> bool {
-        let weight = RingWeight::new(LoopWeights::Original, N);
-        holds(
-            &weight,
-            c,
-            by,
-            &Value::rational(N, &<Rational as Field>::ratio(p, q)),
-        )
+    /// The coefficients of `x + a v + b w + p v^2 + 2 h v w + r w^2`, by its blossom. With d the degree and
+    /// (j, k) the node: v -> j/d, w -> k/d, v^2 -> j (j-1)/(d (d-1)), and v w -> j k/(d (d-1)) on the
+    /// triangle, j k/d^2 on the square.
+    fn quadratic(shape: Shape, [x, a, b, p, h, r]: [i64; 6]) -> Vec<Value> {
+        let d = shape.degree() as i64;
+        let mixed = match shape {
+            Shape::Triangle => d * (d - 1),
+            _ => d * d,
+        };
+        let at = |at: usize| {
+            let [j, k] = shape.node(at);
+            let squares = ratio(p * j * (j - 1) + r * k * (k - 1), d * (d - 1));
+            let value = ratio(x * d + a * j + b * k, d) + squares + ratio(2 * h * j * k, mixed);
+            numbers().constant(&value)
+        };
+        (0..shape.count()).map(at).collect()
+    }
+
+    fn shows(shape: Shape, c: &[Value], (p, q): (i64, i64), by: &By) -> bool {
+        let numbers = numbers();
+        holds(&numbers, shape, c, by, &numbers.constant(&ratio(p, q)))
     }
 
     fn ratio(p: i64, q: i64) -> Rational {
@@ -265,72 +192,91 @@ mod tests {
     /// maximum is 3/4.
     #[test]
     fn a_concave_quadratic_and_its_maximum() {
-        let c = quadratic([0, 3, 3, -4, -2, -4]);
-        let at = |p, q| By::Concave(ratio(p, q), ratio(p, q));
-        assert!(shows(&c, (3, 4), &at(1, 4)));
-        assert!(!shows(&c, (749_999, 1_000_000), &at(1, 4)));
-        assert!(!shows(&c, (3, 4), &at(1, 5)));
-        assert!(!shows(&c, (9, 1), &at(2, 3)));
-        assert!(!shows(&c, (3, 4), &By::Hull));
+        for shape in SHAPES {
+            let c = quadratic(shape, [0, 3, 3, -4, -2, -4]);
+            let at = |p, q| By::Concave(ratio(p, q), ratio(p, q));
+            assert!(shows(shape, &c, (3, 4), &at(1, 4)));
+            assert!(!shows(shape, &c, (749_999, 1_000_000), &at(1, 4)));
+            assert!(!shows(shape, &c, (3, 4), &at(1, 5)));
+            assert!(!shows(shape, &c, (99, 1), &at(4, 3)));
+            assert!(!shows(shape, &c, (3, 4), &By::Hull));
+        }
     }
 
     #[test]
     fn what_is_not_concave_is_not_shown_to_be() {
         // A saddle, a valley, and a mixed derivative too large for its squares.
-        for c in [
-            [0, 0, 0, -1, 0, 1],
-            [0, 0, 0, 1, 0, -1],
-            [0, 0, 0, -1, 3, -1],
-        ] {
-            assert!(!shows(
-                &quadratic(c),
-                (9, 1),
-                &By::Concave(ratio(1, 4), ratio(1, 4))
-            ));
+        for shape in SHAPES {
+            for c in [
+                [0, 0, 0, -1, 0, 1],
+                [0, 0, 0, 1, 0, -1],
+                [0, 0, 0, -1, 3, -1],
+            ] {
+                let by = By::Concave(ratio(1, 4), ratio(1, 4));
+                assert!(!shows(shape, &quadratic(shape, c), (99, 1), &by));
+            }
         }
     }
 
     /// On w = 0: 4v - 4v^2, at most 1; 9 w less away from it.
     #[test]
     fn an_edge_and_its_maximum() {
-        let c = quadratic([0, 4, -9, -4, 0, 0]);
-        assert!(shows(&c, (1, 1), &By::Edge(2, ratio(1, 2))));
-        assert!(!shows(&c, (999, 1000), &By::Edge(2, ratio(1, 2))));
-        assert!(!shows(&c, (1, 1), &By::Edge(2, ratio(1, 3))));
-        assert!(!shows(&c, (1, 1), &By::Edge(2, ratio(3, 2))));
-        assert!(!shows(&c, (1, 1), &By::Edge(1, ratio(1, 2))));
-        // Convex along the edge; and a bump off the edge.
-        assert!(!shows(
-            &quadratic([0, -4, -9, 4, 0, 0]),
-            (1, 1),
-            &By::Edge(2, ratio(1, 2))
-        ));
-        assert!(!shows(
-            &quadratic([0, 4, 9, -4, 0, 0]),
-            (1, 1),
-            &By::Edge(2, ratio(1, 2))
-        ));
+        for shape in SHAPES {
+            let edge = if shape == Shape::Triangle { 2 } else { 0 };
+            let by = |edge, p, q| By::Edge(edge, ratio(p, q));
+            let c = quadratic(shape, [0, 4, -9, -4, 0, 0]);
+            assert!(shows(shape, &c, (1, 1), &by(edge, 1, 2)));
+            assert!(!shows(shape, &c, (999, 1000), &by(edge, 1, 2)));
+            assert!(!shows(shape, &c, (1, 1), &by(edge, 1, 3)));
+            assert!(!shows(shape, &c, (1, 1), &by(edge, 3, 2)));
+            assert!(!shows(shape, &c, (1, 1), &by(1, 1, 2)));
+            // Convex along the edge; and a bump off the edge.
+            let convex = quadratic(shape, [0, -4, -9, 4, 0, 0]);
+            assert!(!shows(shape, &convex, (1, 1), &by(edge, 1, 2)));
+            let bump = quadratic(shape, [0, 4, 9, -4, 0, 0]);
+            assert!(!shows(shape, &bump, (1, 1), &by(edge, 1, 2)));
+        }
     }
 
-    /// Each quarter's coefficients at its corners are the quartic's values there.
+    /// Every edge runs as it says: v, then w, then against v, then against w, on the square.
     #[test]
-    fn quarters_take_the_quartic_with_them() {
-        let c = quadratic([1, 2, 3, -4, 5, -6]);
-        let patch = QuarticTriangle(c.clone());
-        for (letter, quarter) in quarters::<Rational, Value>(&c).iter().enumerate() {
-            for (corner, at) in [0, 10, 14].into_iter().enumerate() {
-                let [v, w] = quarter_corners(letter as u8)[corner].map(|x| ratio(x, 2));
-                assert_eq!(patch.evaluate([&v, &w]).0, quarter[at]);
+    fn edges_of_the_square() {
+        for shape in [Shape::Bicubic, Shape::Biquadratic] {
+            for edge in 0..4 {
+                let nodes: Vec<[i64; 2]> =
+                    shape.edge(edge).iter().map(|&i| shape.node(i)).collect();
+                let d = shape.degree() as i64;
+                let corner = |e: usize| shape.corners()[e % 4].map(|x| x * d);
+                assert_eq!(nodes[0], corner(edge));
+                assert_eq!(nodes[nodes.len() - 1], corner(edge + 1));
             }
         }
-        let hulls = By::Split(Box::new([By::Hull, By::Hull, By::Hull, By::Hull]));
-        assert!(shows(&quadratic([0, 1, 1, 0, 0, 0]), (1, 1), &hulls));
-        assert!(!shows(&quadratic([0, 1, 1, 0, 0, 0]), (9, 10), &hulls));
     }
 
-    /// No quartic is bounded by a reason that is not about quartics.
+    /// Each quarter's coefficients at its corners are the polynomial's values there.
     #[test]
-    fn regular_is_no_reason_for_a_quartic() {
-        assert!(!shows(&quadratic([0; 6]), (1, 1), &By::Regular));
+    fn quarters_take_the_polynomial_with_them() {
+        for shape in SHAPES {
+            let c = quadratic(shape, [1, 2, 3, -4, 5, -6]);
+            for (letter, quarter) in shape.quarters::<Rational, Value>(&c).iter().enumerate() {
+                let corners = shape.quarter(letter as u8).iter();
+                for (corner, at) in corners.zip(shape.corner_indices()) {
+                    let [v, w] = corner.map(|x| ratio(x, 2));
+                    assert_eq!(shape.evaluate(&c, [&v, &w]).0, quarter[at]);
+                }
+            }
+            let hulls = By::Split(Box::new([By::Hull, By::Hull, By::Hull, By::Hull]));
+            let plane = quadratic(shape, [0, 1, 1, 0, 0, 0]);
+            let largest = if shape == Shape::Triangle { 1 } else { 2 };
+            assert!(shows(shape, &plane, (largest, 1), &hulls));
+            assert!(!shows(shape, &plane, (9 * largest, 10), &hulls));
+        }
+    }
+
+    /// No polynomial is bounded by a reason that is not about polynomials.
+    #[test]
+    fn regular_is_no_reason_for_a_polynomial() {
+        let flat = quadratic(Shape::Triangle, [0; 6]);
+        assert!(!shows(Shape::Triangle, &flat, (1, 1), &By::Regular));
     }
 }

@@ -143,6 +143,6 @@ impl Prover {
         proof
             .exact
             .as_ref()
-            .map(|value| self.weight.evaluate(value))
+            .map(|value| self.numbers.evaluate(value))
     }
 }

@@ -11,9 +11,7 @@ use super::prover::{Bound, Failure, Prover, Target};
 use super::search::Witness;
 use super::tail::{Tail, TailKind};
 use super::value::Value;
-use crate::bernstein::Patch;
-use crate::bernstein::triangle::QuarticTriangle;
-use crate::scalar::{Field, Rational};
+use crate::scalar::Rational;
 
 /// Gaps above this are not worth a try for the exact value.
 const COARSE_GAP: f64 = 1e-3;
@@ -32,7 +30,7 @@ impl Prover {
         let mut failures = 0;
         while failures < MOST_FAILURES {
             let (lower, at, simple) = self.lower(against, k, &best);
-            let lo = self.weight.enclose(&lower);
+            let lo = self.numbers.enclose(&lower);
             try_exact &= simple;
             // The value itself, if it has a chance; else above it by half the gap, later by more.
             let bound = if try_exact {
@@ -57,7 +55,7 @@ impl Prover {
             return Some(Proof {
                 constant: Constant::Distance(against, k),
                 lo: lo.inf(),
-                hi: self.weight.enclose(&bound.value).sup(),
+                hi: self.numbers.enclose(&bound.value).sup(),
                 exact: try_exact.then_some(lower),
                 net: best.net,
                 at,
@@ -80,7 +78,7 @@ impl Prover {
         if control
             && k == 0
             && main.depth == 0
-            && self.weight.at_most(&main.bound.value, &bound.value)
+            && self.numbers.at_most(&main.bound.value, &bound.value)
         {
             return Ok((main.clone(), Conclusion::Apply));
         }
@@ -91,8 +89,11 @@ impl Prover {
         }
         // The largest distance may lie at the extraordinary corner itself: there C_0 is too coarse,
         // and the distance near the corner is the vertex displacement.
-        let local = self.bound(self.vertex_displacement());
-        let smaller = self.weight.compare(&local.value, &main.bound.value) == Some(Ordering::Less);
+        let Some(local) = self.vertex_displacement() else {
+            return Err(Failure::Unproved);
+        };
+        let local = self.bound(local);
+        let smaller = self.numbers.compare(&local.value, &main.bound.value) == Some(Ordering::Less);
         if !(control && k > 0 && smaller) {
             return Err(Failure::Unproved);
         }
@@ -128,7 +129,7 @@ impl Prover {
 
     /// The exact value of a witness and where it is attained, at the simplest parameters near; and
     /// whether these are simple.
-    fn lower(&mut self, against: Against, k: usize, best: &Witness) -> (Value, At, bool) {
+    pub(super) fn lower(&mut self, against: Against, k: usize, best: &Witness) -> (Value, At, bool) {
         if best.word.is_extraordinary() {
             let value = self.corner_value(against, k, best.net);
             let value = self.absolute(value);
@@ -136,19 +137,19 @@ impl Prover {
             return (value, at, true);
         }
         let target = Target::Distance(against, k);
-        let patch = QuarticTriangle(self.values_at(best.word, target, best.net));
+        let (shape, patch) = (self.shape(), self.values_at(best.word, target, best.net));
         let [vs, ws] = best.at.map(rationals_near);
         let simple = |x: &Rational| *x.denom() <= 64.into();
         let mut found: Option<(Value, At, bool)> = None;
         for (v, w) in vs.into_iter().zip(ws) {
-            if &v + &w > Rational::ratio(1, 1) {
+            if !shape.contains([&v, &w]) {
                 continue;
             }
-            let (value, _) = patch.evaluate([&v, &w]);
+            let (value, _) = shape.evaluate(&patch, [&v, &w]);
             let value = self.absolute(value);
             let better = found.as_ref().is_none_or(|(known, ..)| {
                 // The simple point wins ties.
-                self.weight.enclose(&value).inf() > self.weight.enclose(known).sup() * (1.0 + 1e-14)
+                self.numbers.enclose(&value).inf() > self.numbers.enclose(known).sup() * (1.0 + 1e-14)
             });
             if better {
                 let is_simple = simple(&v) && simple(&w);

@@ -7,6 +7,7 @@ use super::constant::{At, Conclusion, Constant, Lemma, Proof};
 use super::nets::Against;
 use super::part::CellProof;
 use super::prover::Prover;
+use super::rules::Family;
 use super::tail::TailProof;
 use super::value::Value;
 use crate::certificate::{self, Certificate, Claim, CoefficientAt, ConstantClaim, Number, Step};
@@ -168,7 +169,7 @@ impl Prover {
             format: "subcert".into(),
             version: 1,
             claim: Claim::Constant(self.claim(proof)),
-            cosine: cosine_of_loop(self.weight.weights, self.valence()),
+            cosine: self.cosine(),
             bases: bases.list,
             steps,
         }
@@ -177,12 +178,12 @@ impl Prover {
     fn claim(&self, proof: &Proof) -> ConstantClaim {
         let exact_float = |x: f64| Rational::from_float(x).map_or("?".into(), |r| r.to_string());
         ConstantClaim {
-            scheme: "loop".into(),
-            weights: Some(self.weight.weights.to_string()),
+            scheme: self.family.scheme().name().into(),
+            weights: (self.family.scheme().weights()).map(|weights| weights.to_string()),
             valence: self.valence(),
             level: proof.constant.level(),
             kind: proof.constant.name().into(),
-            norm: "second".into(),
+            norm: self.family.norm().name().into(),
             at: match proof.constant {
                 Constant::Coefficient(word, index) => Some(CoefficientAt {
                     word: word.to_string(),
@@ -192,13 +193,28 @@ impl Prover {
             },
             lo: exact_float(proof.lo),
             hi: exact_float(proof.hi),
-            exact: proof.exact.as_ref().map(|value| self.number(value)),
+            exact: (proof.exact.as_ref())
+                .map(|value| self.number(value))
+                .filter(|number| self.may_be_irrational() || number.is_rational()),
+        }
+    }
+
+    /// Whether numbers of certificates may be other than rationals.
+    fn may_be_irrational(&self) -> bool {
+        matches!(self.family, Family::Loop(_))
+    }
+
+    fn cosine(&self) -> Option<[String; 2]> {
+        match self.family {
+            Family::Loop(weights) => cosine_of_loop(weights, self.valence()),
+            Family::CatmullClark(_) => None,
+            Family::DooSabin => cosine_of_loop(LoopWeights::Original, self.valence()),
         }
     }
 
     /// A rational where the value is one, else its polynomial in β, over q.
     fn number(&self, value: &Value) -> Number {
-        if let Some(r) = self.weight.rational(value) {
+        if let Some(r) = self.numbers.rational(value) {
             return Number::Rational(r.to_string());
         }
         let coefficients = value.ring_sum_coefficients(self.valence());

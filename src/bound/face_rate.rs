@@ -43,8 +43,9 @@ use num_traits::{ToPrimitive, Zero};
 
 use super::cell::exact_weight;
 use super::functional::{ExactFunctional, FloatFunctional};
-use super::nets::{Exact, Space};
-use super::value::{RingWeight, Value};
+use super::arithmetic::{Arithmetic, Exact};
+use super::rules::vertex_point;
+use super::value::{Numbers, Value};
 use crate::lp::Rows;
 use crate::scalar::{Rational, ShortRational};
 use crate::scheme::{IntegerRow, loop_scheme};
@@ -64,14 +65,14 @@ pub struct FaceRate {
 ///
 /// ```
 /// use subcert::bound::face_rate::face_rate;
-/// use subcert::bound::value::RingWeight;
+/// use subcert::bound::value::Numbers;
 /// use subcert::scheme::LoopWeights;
-/// let weight = RingWeight::new(LoopWeights::Original, 6);
-/// let rate = face_rate(&weight).unwrap().rate;
-/// assert_eq!(weight.evaluate(&rate).to_string(), "1/4");
+/// let numbers = Numbers::of_loop(LoopWeights::Original, 6);
+/// let rate = face_rate(&numbers).unwrap().rate;
+/// assert_eq!(numbers.evaluate(&rate).to_string(), "1/4");
 /// ```
-pub fn face_rate(weight: &RingWeight) -> Option<FaceRate> {
-    let n = weight.n as usize;
+pub fn face_rate(numbers: &Numbers) -> Option<FaceRate> {
+    let n = numbers.n as usize;
     // Points: a, its ring 1..n, and the vertex n + 1 opposite to a across the edge (1, 2).
     let next = |i: usize| i % n + 1;
     let last = |i: usize| (i + n - 2) % n + 1;
@@ -83,11 +84,11 @@ pub fn face_rate(weight: &RingWeight) -> Option<FaceRate> {
     let space = Net::new(n);
     let spoke = space.spoke();
     let rim = space.rim();
-    let spoke = least(weight, &rows, &spoke)?;
-    let rim = least(weight, &rows, &rim)?;
-    let rate = if weight.at_most(&rim, &spoke) {
+    let spoke = least(numbers, &rows, &spoke)?;
+    let rim = least(numbers, &rows, &rim)?;
+    let rate = if numbers.at_most(&rim, &spoke) {
         spoke.clone()
-    } else if weight.at_most(&spoke, &rim) {
+    } else if numbers.at_most(&spoke, &rim) {
         rim.clone()
     } else {
         return None;
@@ -107,7 +108,7 @@ impl Net {
     fn new(n: usize) -> Self {
         Net {
             n,
-            space: Exact::new(n as u32),
+            space: Exact::new(),
         }
     }
 
@@ -129,12 +130,12 @@ impl Net {
     fn vertex(&self) -> Functional {
         let zero = <Functional as Zero>::zero();
         let sum = (1..=self.n).fold(zero, |sum, i| sum + &self.point(i));
-        self.space.vertex(&self.point(0), &sum)
+        vertex_point(&self.space, self.n as u32, &self.point(0), &sum)
     }
 
     fn spoke(&self) -> Functional {
         let difference = self.vertex() + &self.edge(1) - &self.edge(self.n) - &self.edge(2);
-        self.space.scale(&difference)
+        self.space.times_q(self.n as u32, &difference)
     }
 
     fn rim(&self) -> Functional {
@@ -142,16 +143,16 @@ impl Net {
         let between =
             loop_scheme::edge_point::<ShortRational, _>(&self.point(1), &self.point(2), &a, &far);
         let difference = self.edge(1) + &self.edge(2) - &self.vertex() - &between;
-        self.space.scale(&difference)
+        self.space.times_q(self.n as u32, &difference)
     }
 }
 
 /// The least weight of a functional: the basis is proposed in floats, the weight exact; that it is the
 /// least is seen from the net of the basis, which attains it.
-fn least(weight: &RingWeight, rows: &Rows, t: &Functional) -> Option<Value> {
-    let float = float_of(weight, t);
+fn least(numbers: &Numbers, rows: &Rows, t: &Functional) -> Option<Value> {
+    let float = float_of(numbers, t);
     let (basis, scaled) = rows.propose(&float.0, rows.start())?;
-    let above = exact_weight(weight, t, &basis)?;
+    let above = exact_weight(numbers, t, &basis)?;
     let net = basis.net(&scaled);
     let below = Value::new(
         (t.numerators.iter())
@@ -160,17 +161,17 @@ fn least(weight: &RingWeight, rows: &Rows, t: &Functional) -> Option<Value> {
                 let sum: Rational = terms
                     .map(|(a, y)| y * Rational::from_integer(a.clone()))
                     .sum();
-                sum / Rational::from_integer(BigInt::from(t.denominator))
+                sum / Rational::from_integer(t.denominator.clone())
             })
             .collect(),
     );
-    weight.at_most(&above, &below).then_some(above)
+    numbers.at_most(&above, &below).then_some(above)
 }
 
-fn float_of(weight: &RingWeight, t: &Functional) -> FloatFunctional {
-    let b = weight.float();
+fn float_of(numbers: &Numbers, t: &Functional) -> FloatFunctional {
+    let b = numbers.ring_weight().enclose().mid();
     let size = t.numerators.first().map_or(0, Vec::len);
-    let scale = t.denominator as f64;
+    let scale = t.denominator.to_f64().unwrap_or(f64::NAN);
     let at = |i: usize| {
         let horner = |sum: f64, row: &Vec<BigInt>| sum * b + row[i].to_f64().unwrap_or(f64::NAN);
         t.numerators.iter().rev().fold(0.0, horner) / scale

@@ -1,4 +1,5 @@
-//! Linear functionals of a local net: in `f64`, and exact with the ring weight b as a variable.
+//! Linear functionals of a local net: in `f64`, and exact with the irrational numbers of a scheme as
+//! variables.
 //!
 //! A functional is what a point of a refined net, a Bernstein coefficient or a second difference is
 //! of the first net `y`. As modules over the weights of masks both kinds go through the same generic
@@ -88,6 +89,8 @@ pub trait Integer: Clone + PartialEq + Send + Sync + 'static {
     fn add_scaled(&mut self, a: &Self, k: i64);
     /// `self k`.
     fn scaled(&self, k: i64) -> Self;
+    /// `self k`, of any size.
+    fn scaled_by(&self, k: &BigInt) -> Self;
     /// The tightest enclosure by `f64`.
     fn enclose(&self) -> Interval;
     /// As a big integer.
@@ -123,6 +126,15 @@ impl Integer for I256 {
         assert!((-(1 << 62)..1 << 62).contains(&high), "{TOO_LARGE}");
         self.wrapping_mul(I256::from(k))
     }
+    fn scaled_by(&self, k: &BigInt) -> Self {
+        let bytes = k.to_signed_bytes_le();
+        let negative = bytes.last().is_some_and(|byte| byte & 0x80 != 0);
+        let mut wide = [if negative { 0xff } else { 0 }; 32];
+        assert!(bytes.len() <= wide.len(), "{TOO_LARGE}");
+        wide[..bytes.len()].copy_from_slice(&bytes);
+        let product = self.checked_mul(I256::from_le_bytes(wide));
+        product.expect(TOO_LARGE)
+    }
     fn enclose(&self) -> Interval {
         if let Ok(small) = i64::try_from(*self) {
             return Interval::from_integer(small);
@@ -157,6 +169,9 @@ impl Integer for BigInt {
     fn scaled(&self, k: i64) -> Self {
         self * k
     }
+    fn scaled_by(&self, k: &BigInt) -> Self {
+        self * k
+    }
     fn enclose(&self) -> Interval {
         Interval::from_rational(&Rational::from_integer(self.clone()))
     }
@@ -165,15 +180,16 @@ impl Integer for BigInt {
     }
 }
 
-/// An exact functional: its coefficient at point i is `Σ_d numerators[d][i] b^d / denominator`.
+/// An exact functional: its coefficient at point i is `Σ_d numerators[d][i] g_d / denominator`.
 ///
-/// The empty one is 0.
+/// The g_d are the numbers of a scheme ([`super::value::Numbers`]): the powers b^d of Loop's ring weight,
+/// the cosines cos(2πd/n) for Doo-Sabin, only g_0 = 1 for Catmull-Clark. The empty one is 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExactFunctional<T> {
-    /// Coefficients by the power of b; all of one length.
+    /// Coefficients by d; all of one length.
     pub(super) numerators: Vec<Vec<T>>,
     /// Positive.
-    pub(super) denominator: i128,
+    pub(super) denominator: BigInt,
 }
 
 impl<T: Integer> ExactFunctional<T> {
@@ -183,11 +199,11 @@ impl<T: Integer> ExactFunctional<T> {
         row[point] = T::one();
         ExactFunctional {
             numerators: vec![row],
-            denominator: 1,
+            denominator: BigInt::from(1),
         }
     }
 
-    /// b times the functional.
+    /// b times the functional, where g_d = b^d.
     pub fn times_weight(&self) -> Self {
         let mut numerators = self.numerators.clone();
         if let Some(first) = numerators.first() {
@@ -196,21 +212,54 @@ impl<T: Integer> ExactFunctional<T> {
         }
         ExactFunctional {
             numerators,
-            denominator: self.denominator,
+            denominator: self.denominator.clone(),
         }
     }
 
-    /// The product with the polynomial `Σ c_d b^d`.
-    pub fn times_polynomial(&self, polynomial: &[ShortRational]) -> Self {
+    /// The product with `Σ c_d b^d`, where g_d = b^d; with a rational, whatever the g_d.
+    pub fn times_polynomial(&self, polynomial: &[Rational]) -> Self {
         let mut power = self.clone();
         let mut sum = Self::zero();
         for (d, c) in polynomial.iter().enumerate() {
             if d > 0 {
                 power = power.times_weight();
             }
-            sum = sum + &(power.clone() * c);
+            let mut term = power.clone();
+            for a in term.numerators.iter_mut().flatten() {
+                *a = times(a, c.numer());
+            }
+            term.denominator *= c.denom();
+            sum = sum + &term;
         }
         sum
+    }
+
+    /// 2 cos(2πm/n) times the functional, where g_d = cos(2πd/n): `2 g_m g_d = g_(m+d) + g_(m-d)`,
+    /// indices modulo n and up to their sign.
+    pub fn times_two_cos(&self, m: u32, n: u32) -> Self {
+        let Some(first) = self.numerators.first() else {
+            return self.clone();
+        };
+        let mut numerators = vec![vec![T::zero(); first.len()]; n as usize / 2 + 1];
+        for (d, row) in self.numerators.iter().enumerate() {
+            let d = d as u32;
+            for at in [(m + d) % n, (m + n - d) % n] {
+                let sum = &mut numerators[at.min(n - at) as usize];
+                for (s, a) in sum.iter_mut().zip(row) {
+                    s.add_scaled(a, 1);
+                }
+            }
+        }
+        while numerators
+            .last()
+            .is_some_and(|row| row.iter().all(T::is_zero))
+        {
+            numerators.pop();
+        }
+        ExactFunctional {
+            numerators,
+            denominator: self.denominator.clone(),
+        }
     }
 
     fn combine(mut self, other: &Self, sign: i64) -> Self {
@@ -218,29 +267,43 @@ impl<T: Integer> ExactFunctional<T> {
             return self;
         }
         if self.numerators.is_empty() {
-            self.denominator = other.denominator;
-        }
-        let common = if self.denominator == other.denominator {
-            self.denominator
-        } else {
-            num_integer::lcm(self.denominator, other.denominator)
-        };
-        let factor = |own: i128| i64::try_from(common / own).expect(TOO_LARGE);
-        let (mine, theirs) = (factor(self.denominator), factor(other.denominator));
-        if mine != 1 {
-            let entries = self.numerators.iter_mut().flatten();
-            entries.for_each(|a| *a = a.scaled(mine));
+            self.denominator = other.denominator.clone();
         }
         let size = other.numerators[0].len();
         let degree = self.numerators.len().max(other.numerators.len());
+        let mut factor = None;
+        if self.denominator != other.denominator {
+            let common = num_integer::lcm(self.denominator.clone(), other.denominator.clone());
+            let mine = &common / &self.denominator;
+            if mine != BigInt::from(1) {
+                for a in self.numerators.iter_mut().flatten() {
+                    *a = times(a, &mine);
+                }
+            }
+            factor = Some(&common / &other.denominator);
+            self.denominator = common;
+        }
         self.numerators.resize(degree, vec![T::zero(); size]);
+        let small = match &factor {
+            None => Some(1),
+            Some(factor) => i64::try_from(factor).ok(),
+        };
         for (row, added) in self.numerators.iter_mut().zip(&other.numerators) {
-            for (a, b) in row.iter_mut().zip(added) {
-                a.add_scaled(b, sign * theirs);
+            for (a, b) in row.iter_mut().zip(added).filter(|(_, b)| !b.is_zero()) {
+                match (small, &factor) {
+                    (None, Some(factor)) => a.add_scaled(&b.scaled_by(factor), sign),
+                    (small, _) => a.add_scaled(b, sign * small.unwrap_or(1)),
+                }
             }
         }
-        self.denominator = common;
         self
+    }
+}
+
+fn times<T: Integer>(a: &T, k: &BigInt) -> T {
+    match i64::try_from(k) {
+        Ok(small) => a.scaled(small),
+        Err(_) => a.scaled_by(k),
     }
 }
 
@@ -248,7 +311,7 @@ impl<T: Integer> Zero for ExactFunctional<T> {
     fn zero() -> Self {
         ExactFunctional {
             numerators: Vec::new(),
-            denominator: 1,
+            denominator: BigInt::from(1),
         }
     }
     fn is_zero(&self) -> bool {
@@ -285,11 +348,9 @@ impl<T: Integer> Mul<&ShortRational> for ExactFunctional<T> {
             let entries = self.numerators.iter_mut().flatten();
             entries.for_each(|a| *a = a.scaled(p));
         }
-        self.denominator = self
-            .denominator
-            .checked_mul(i128::from(q))
-            .expect(TOO_LARGE);
-        debug_assert!(self.denominator > 0);
+        if q != 1 {
+            self.denominator *= q;
+        }
         self
     }
 }

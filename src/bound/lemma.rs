@@ -5,20 +5,57 @@ use num_traits::Zero;
 use super::constant::Lemma;
 use super::nets::Against;
 use super::prover::{Bound, Prover, Target};
+use super::rules::Family;
 use super::tail::{Tail, TailKind};
 use super::value::Value;
 use super::word::Word;
 use crate::scalar::{Field, Rational};
 
 impl Prover {
-    /// `8 n b / q`: what the extraordinary vertex moves to its limit, with M = 1.
-    pub fn vertex_displacement(&self) -> Value {
-        let eight_n = <Rational as Field>::ratio(8 * i64::from(self.valence()), 1);
-        Value::new(vec![Rational::zero(), eight_n])
+    /// The largest displacement of the extraordinary vertex to its limit, with M = 1: `8 n b / q` for
+    /// Loop.
+    pub fn vertex_displacement(&mut self) -> Option<Value> {
+        if let Family::Loop(_) = self.family {
+            let eight_n = <Rational as Field>::ratio(8 * i64::from(self.valence()), 1);
+            return Some(Value::new(vec![Rational::zero(), eight_n]));
+        }
+        let corner = self.floats.corner_target(Against::Control, 0);
+        let (corner, _) = self.propose(&corner, None)?;
+        self.corner_weight(corner)
     }
 
-    /// The bound `C_0 = max(1/2, 8 n b / q)`, proved, over the face or a part of it at the corner; or
-    /// a larger one where that fails.
+    /// The exact weight of S - F_0 at the extraordinary corner in a candidate's basis.
+    fn corner_weight(&mut self, candidate: usize) -> Option<Value> {
+        self.weight_of(
+            Word::EMPTY,
+            candidate,
+            |nets| nets.corner_target(Against::Control, 0),
+            |nets| nets.corner_target(Against::Control, 0),
+        )
+    }
+
+    /// A value that C_0 has: `max(1/2, 8 n b / q)` for Loop, else the best that a search finds.
+    fn expected_distance(&mut self) -> Option<Value> {
+        if let Family::Loop(_) = self.family {
+            let half = self.numbers.constant(&Rational::ratio(1, 2));
+            let vertex = self.vertex_displacement()?;
+            let smaller = self.numbers.at_most(&vertex, &half);
+            return Some(if smaller { half } else { vertex });
+        }
+        let best = self.search(Against::Control, 0)?;
+        let (value, ..) = self.lower(Against::Control, 0, &best);
+        match self.numbers.rational(&value) {
+            Some(_) => Some(value),
+            // Bounds in certificates are rational but for Loop.
+            None => {
+                let above = Rational::from_float(self.numbers.enclose(&value).sup())?;
+                Some(self.numbers.constant(&above))
+            }
+        }
+    }
+
+    /// The bound C_0, proved, over the face or a part of it at the corner; or a larger one where that
+    /// fails.
     pub fn main_lemma(&mut self) -> Option<Lemma> {
         if self.main_lemma.is_none() {
             self.main_lemma = self.prove_main_lemma();
@@ -27,13 +64,7 @@ impl Prover {
     }
 
     pub(super) fn prove_main_lemma(&mut self) -> Option<Lemma> {
-        let half = Value::rational(self.valence(), &Rational::ratio(1, 2));
-        let vertex = self.vertex_displacement();
-        let sharp = if self.weight.at_most(&vertex, &half) {
-            half
-        } else {
-            vertex
-        };
+        let sharp = self.expected_distance()?;
         let mut bounds = vec![sharp.clone()];
         for (p, q) in [(1, 1000), (1, 50), (1, 4), (1, 1), (4, 1)] {
             bounds.push(sharp.clone() * &(Rational::ratio(1, 1) + Rational::ratio(p, q)));
@@ -76,13 +107,8 @@ impl Prover {
     pub(super) fn linear_lemma(&mut self, depth: usize, bound: &Bound) -> Option<Lemma> {
         let corner = self.floats.corner_target(Against::Control, 0);
         let (corner, _) = self.propose(&corner, None)?;
-        let at_corner = self.weight_of(
-            Word::EMPTY,
-            corner,
-            |nets| nets.corner_target(Against::Control, 0),
-            |nets| nets.corner_target(Against::Control, 0),
-        )?;
-        if !self.weight.at_most(&at_corner, &bound.value) {
+        let at_corner = self.corner_weight(corner)?;
+        if !self.numbers.at_most(&at_corner, &bound.value) {
             return None;
         }
         for steps in 1..=8 {

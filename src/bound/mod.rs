@@ -37,6 +37,7 @@
 //! assert_eq!(prover.closed_form(&proof).unwrap().to_string(), "1/3");
 //! ```
 
+pub mod arithmetic;
 mod beta;
 pub mod cell;
 pub mod constant;
@@ -48,9 +49,11 @@ mod lemma;
 pub mod nets;
 mod part;
 mod prover;
-pub mod quartic;
+pub mod maximum;
 mod rate;
+pub mod rules;
 mod search;
+pub mod shape;
 mod table;
 mod tail;
 pub mod value;
@@ -61,5 +64,6 @@ pub use export::cosine_of_loop;
 pub use nets::Against;
 pub use part::CellProof;
 pub use prover::{Bound, Candidate, Prover};
+pub use rules::{Family, Norm};
 pub use table::{Row, tabulate};
 pub use tail::TailProof;

@@ -1,4 +1,4 @@
-//! The upper side over parts where S is one quartic: bases, reasons, quartering.
+//! The upper side over parts where S is one polynomial: bases, reasons, quartering.
 
 use num_bigint::BigInt;
 use num_traits::Zero;
@@ -6,8 +6,9 @@ use num_traits::Zero;
 use super::cell::{self, By};
 use super::functional::FloatFunctional;
 use super::prover::{Bound, Failure, Prover, SLACK, Target};
-use super::quartic;
+use super::maximum;
 use super::search::Witness;
+use super::shape::Shape;
 use super::word::{LONGEST_WORD, Word};
 use crate::scalar::{Interval, Rational};
 
@@ -16,7 +17,7 @@ use crate::scalar::{Interval, Rational};
 pub struct CellProof {
     /// The part.
     pub word: Word,
-    /// Indices of candidates: one for all 15 coefficients, or one for each.
+    /// Indices of candidates: one for all coefficients, or one for each.
     pub bases: Vec<usize>,
     /// The reason.
     pub by: By,
@@ -35,7 +36,7 @@ const NEAR: f64 = 1.25;
 const RECENT: usize = 8;
 
 impl Prover {
-    /// Proves the bound over every part of `0^depth` but `0^(depth + steps)`, up to mirroring.
+    /// Proves the bound over every part of the root's `0^depth` but `0^(depth + steps)`, up to mirroring.
     pub(super) fn prove_rings(
         &mut self,
         target: Target,
@@ -44,7 +45,8 @@ impl Prover {
         bound: &Bound,
     ) -> Result<Vec<CellProof>, Failure> {
         let mut cells = Vec::new();
-        for ring in depth..depth + steps {
+        let start = self.root().len() + depth;
+        for ring in start..start + steps {
             for letter in [1, 2] {
                 let word = Word::zeros(ring).child(letter);
                 self.prove_part(word, target, bound, None, &mut cells)?;
@@ -61,10 +63,11 @@ impl Prover {
         hint: Option<usize>,
         cells: &mut Vec<CellProof>,
     ) -> Result<(), Failure> {
-        let level = match target {
-            Target::Distance(_, k) => k,
-            Target::Linear(_) => 0,
-        };
+        let level = self.root().len()
+            + match target {
+                Target::Distance(_, k) => k,
+                Target::Linear(_) => 0,
+            };
         let mut hint = hint;
         if word.len() < level {
             if self.close_regular(word, target, bound, cells)? {
@@ -90,6 +93,17 @@ impl Prover {
         Ok(())
     }
 
+    /// The value in the middle of a part.
+    fn middle(&self, t: &[FloatFunctional]) -> FloatFunctional {
+        let weights = self.shape().basis(self.shape().middle());
+        let terms = t.iter().zip(weights);
+        terms.fold(FloatFunctional::zero(), |sum, (t, w)| sum.plus(w, t))
+    }
+
+    fn float_weights(&self, t: &[FloatFunctional], basis: usize) -> Vec<f64> {
+        t.iter().map(|t| self.float_weight(t, basis)).collect()
+    }
+
     /// Tries to close a part above level k by its second differences.
     pub(super) fn close_regular(
         &mut self,
@@ -101,7 +115,11 @@ impl Prover {
         let Target::Distance(against, level) = target else {
             return Ok(false);
         };
-        let factor = cell::regular_factor(against, level - word.len());
+        let finer = level - word.len();
+        let Some((p, q)) = self.floats.rules().regular_factor(against) else {
+            return Ok(false);
+        };
+        let factor = Rational::new(BigInt::from(p), BigInt::from(q) << (2 * finer));
         let float = Interval::from_rational(&factor).mid();
         let limit = bound.float * (1.0 + SLACK);
         let mut bases: Vec<usize> = Vec::with_capacity(15);
@@ -125,7 +143,7 @@ impl Prover {
             let Some(value) = self.difference_weight(word, l, index) else {
                 return Ok(false);
             };
-            if !self.weight.at_most(&(value * &factor), &bound.value) {
+            if !self.numbers.at_most(&(value * &factor), &bound.value) {
                 return Ok(false);
             }
         }
@@ -157,19 +175,18 @@ impl Prover {
         }
         for basis in recent {
             let below = |t: &FloatFunctional| self.float_weight(t, basis) <= limit;
-            let c = || std::array::from_fn(|i| self.float_weight(&t[i], basis));
-            if t.iter().all(below) && {
-                let c = c();
-                self.close_by(word, target, &c, &[basis], bound, cells)
-            } {
-                return Ok((true, hint));
+            if t.iter().all(below) {
+                let c = self.float_weights(&t, basis);
+                if self.close_by(word, target, &c, &[basis], bound, cells) {
+                    return Ok((true, hint));
+                }
             }
         }
-        let centre = mean(&t);
+        let centre = self.middle(&t);
         let hint = hint.or(cells.last().map(|cell| cell.bases[0]));
         let (basis, value) = self.propose(&centre, hint).ok_or(Failure::Unproved)?;
         if value > limit {
-            let at = [1.0 / 3.0; 2];
+            let at = self.shape().middle();
             return Err(attained(
                 target,
                 Witness {
@@ -195,9 +212,10 @@ impl Prover {
         cells: &mut Vec<CellProof>,
     ) -> Result<bool, Failure> {
         let limit = bound.float * (1.0 + SLACK);
-        let values: [f64; 15] = std::array::from_fn(|i| t[i].at(&self.candidate(basis).net));
+        let net = &self.candidate(basis).net;
+        let values: Vec<f64> = t.iter().map(|t| t.at(net)).collect();
         // Is the basis' own net above the bound somewhere?
-        let (value, at) = quartic::sample(&values);
+        let (value, at) = maximum::sample(self.shape(), &values);
         if value > limit {
             return Err(attained(
                 target,
@@ -209,36 +227,37 @@ impl Prover {
                 },
             ));
         }
-        let c: [f64; 15] = std::array::from_fn(|i| self.float_weight(&t[i], basis));
+        let c = self.float_weights(t, basis);
         if self.close_by(word, target, &c, &[basis], bound, cells) {
             return Ok(true);
         }
-        if quartic::sample(&c).0 > bound.float * NEAR {
+        if maximum::sample(self.shape(), &c).0 > bound.float * NEAR {
             return Ok(false);
         }
         // Where the optimum is degenerate, multipliers change their signs within the part: the best
         // basis of each coefficient gives the least c.
-        let mut bases = Vec::with_capacity(15);
-        let mut least = [0.0; 15];
-        for (i, t) in t.iter().enumerate() {
+        let mut bases = Vec::with_capacity(t.len());
+        let mut least = Vec::with_capacity(t.len());
+        for t in t {
             let (index, _) = self.propose(t, Some(basis)).ok_or(Failure::Unproved)?;
-            least[i] = self.float_weight(t, index);
+            least.push(self.float_weight(t, index));
             bases.push(index);
         }
         Ok(self.close_by(word, target, &least, &bases, bound, cells))
     }
 
-    /// Tries the three reasons for the quartic c.
+    /// Tries the three reasons for the polynomial c.
     pub(super) fn close_by(
         &mut self,
         word: Word,
         target: Target,
-        c: &[f64; 15],
+        c: &[f64],
         bases: &[usize],
         bound: &Bound,
         cells: &mut Vec<CellProof>,
     ) -> bool {
-        let reasons = reasons(c, bound.float);
+        let shape = self.shape();
+        let reasons = reasons(shape, c, bound.float);
         let linear = matches!(target, Target::Linear(_));
         let reasons: Vec<By> = (reasons.into_iter())
             .filter(|by| !linear || *by == By::Hull)
@@ -249,8 +268,8 @@ impl Prover {
         let Some(weights) = self.exact_weights(word, target, bases) else {
             return false;
         };
-        let by =
-            (reasons.into_iter()).find(|by| cell::holds(&self.weight, &weights, by, &bound.value));
+        let by = (reasons.into_iter())
+            .find(|by| cell::holds(&self.numbers, shape, &weights, by, &bound.value));
         let holds = by.is_some();
         cells.extend(by.map(|by| CellProof {
             word,
@@ -269,41 +288,34 @@ fn attained(target: Target, witness: Witness) -> Failure {
     }
 }
 
-/// The reasons why a quartic could be below a bound, judged in `f64`, the simplest first.
-pub(super) fn reasons(c: &[f64; 15], bound: f64) -> Vec<By> {
+/// The reasons why a polynomial could be below a bound, judged in `f64`, the simplest first.
+pub(super) fn reasons(shape: Shape, c: &[f64], bound: f64) -> Vec<By> {
     let limit = bound * (1.0 + SLACK);
     if c.iter().all(|c| *c <= limit) {
         return vec![By::Hull];
     }
     let mut reasons = Vec::new();
-    if quartic::sample(c).0 > limit {
+    if maximum::sample(shape, c).0 > limit {
         return reasons;
     }
-    let (value, [v, w]) = quartic::maximise(c);
+    let (value, [v, w]) = maximum::maximise(shape, c);
     if value > limit {
         return reasons;
     }
-    for edge in 0..3 {
-        let on = cell::edge_indices(edge);
-        let f = on.map(|i| c[i]);
-        let off_below = (0..15).all(|i| on.contains(&i) || c[i] <= limit);
-        if off_below && quartic::is_concave_edge(&f) {
-            let (_, s) = quartic::maximise_edge(&f);
+    for edge in 0..shape.edges() {
+        let on = shape.edge(edge);
+        let f: Vec<f64> = on.iter().map(|&i| c[i]).collect();
+        let off_below = (0..c.len()).all(|i| on.contains(&i) || c[i] <= limit);
+        if off_below && maximum::is_concave_edge(&f) {
+            let (_, s) = maximum::maximise_edge(&f);
             reasons.extend(rationals_near(s).map(|s| By::Edge(edge, s)));
         }
     }
-    if quartic::is_concave(c) {
+    if maximum::is_concave(shape, c) {
         let points = rationals_near(v).into_iter().zip(rationals_near(w));
         reasons.extend(points.map(|(v, w)| By::Concave(v, w)));
     }
     reasons
-}
-
-/// The value at the middle of the triangle.
-fn mean(t: &[FloatFunctional]) -> FloatFunctional {
-    let weights = quartic::basis([1.0 / 3.0, 1.0 / 3.0]);
-    let terms = t.iter().zip(weights);
-    terms.fold(FloatFunctional::zero(), |sum, (t, w)| sum.plus(w, t))
 }
 
 /// The simplest rational near x, if there is one with a small denominator, and a dyadic one.

@@ -10,20 +10,23 @@ use num_traits::Zero;
 use super::cell;
 use super::constant::Lemma;
 use super::functional::{ExactFunctional, FloatFunctional, Integer};
-use super::nets::{Against, Exact, Floats, Nets, Space, bits_needed};
+use super::arithmetic::{Arithmetic, Exact, Floats};
+use super::nets::{Against, Nets};
+use super::rules::{Family, Rules};
 use super::search::Witness;
-use super::value::{RingWeight, Value};
+use super::shape::Shape;
+use super::value::{Numbers, Value};
 use super::word::Word;
 use crate::lp::{Basis, Rows};
 use crate::scalar::Rational;
-use crate::scheme::{LoopWeights, loop_scheme};
 
 /// What is bounded over a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Target {
     /// S - F_k.
     Distance(Against, usize),
-    /// `(t - (1 - |u|) t_0) / |u|`, t = S - F_0 against the control mesh, |u| = 2^depth (v + w).
+    /// `(t - (1 - mu) t_0) / mu`, t = S - F_0 against the control mesh, mu the ramp of the root's
+    /// `0^depth`.
     Linear(usize),
 }
 
@@ -91,12 +94,14 @@ pub(super) const SLACK: f64 = 1e-12;
 /// Bits that factors of fixed-size integers may have.
 const WORD_BITS: u32 = 190;
 
-/// The prover of one valence and weights.
+/// The prover of one family and valence.
 #[derive(Debug)]
 pub struct Prover {
-    /// The ring weight.
-    pub weight: RingWeight,
-    /// The second differences.
+    /// Scheme and norm.
+    pub family: Family,
+    /// The numbers of the scheme.
+    pub numbers: Numbers,
+    /// The differences.
     pub rows: Rows,
     pub(super) floats: Nets<Floats>,
     pub(super) words: Nets<Exact<I256>>,
@@ -109,18 +114,19 @@ pub struct Prover {
 }
 
 impl Prover {
-    /// For Loop's scheme at valence n >= 3.
-    pub fn new(weights: LoopWeights, n: u32) -> Self {
-        let rows = Rows::new(
-            loop_scheme::second_differences(n),
-            loop_scheme::local_net_size(n),
-        );
+    /// For a family at a valence n >= 3; for Doo-Sabin at a face of n sides.
+    pub fn new(family: impl Into<Family>, n: u32) -> Self {
+        let family = family.into();
+        let numbers = family.numbers(n);
+        let rules: Box<dyn Rules<Floats>> = family.rules(n);
+        let rows = Rows::new(rules.differences(n), rules.size());
         Prover {
-            weight: RingWeight::new(weights, n),
+            family,
             rows,
-            floats: Nets::new(Floats::new(weights, n)),
-            words: Nets::new(Exact::new(n)),
-            big: Nets::new(Exact::new(n)),
+            floats: Nets::new(Floats::new(&numbers), rules),
+            words: Nets::new(Exact::new(), family.rules(n)),
+            big: Nets::new(Exact::new(), family.rules(n)),
+            numbers,
             candidates: Vec::new(),
             known: HashMap::new(),
             float_targets: HashMap::new(),
@@ -128,9 +134,19 @@ impl Prover {
         }
     }
 
+    /// The domain of patches.
+    pub(super) fn shape(&self) -> Shape {
+        self.floats.rules().shape()
+    }
+
+    /// The word that is the face.
+    pub(super) fn root(&self) -> Word {
+        self.floats.rules().root()
+    }
+
     /// The valence.
     pub fn valence(&self) -> u32 {
-        self.weight.n
+        self.numbers.n
     }
 
     /// A candidate by its index.
@@ -140,12 +156,12 @@ impl Prover {
 
     /// A rational as a bound.
     pub fn rational_bound(&self, r: &Rational) -> Bound {
-        self.bound(Value::rational(self.valence(), r))
+        self.bound(self.numbers.constant(r))
     }
 
     /// A value as a bound.
     pub fn bound(&self, value: Value) -> Bound {
-        let float = self.weight.enclose(&value).mid();
+        let float = self.numbers.enclose(&value).mid();
         Bound { value, float }
     }
 
@@ -189,7 +205,7 @@ impl Prover {
         if let Some(known) = self.float_targets.get(&(word, target)) {
             return known.clone();
         }
-        let made = Rc::new(target_of(&mut self.floats, word, target).to_vec());
+        let made = Rc::new(target_of(&mut self.floats, word, target));
         self.float_targets.insert((word, target), made.clone());
         made
     }
@@ -201,9 +217,10 @@ impl Prover {
 
     /// The same after a product with numbers of so many bits.
     pub(super) fn fits_times(&self, word: Word, bits: u32) -> bool {
-        // Inverses of second differences have entries below 2^8; a weight sums n + 9 multipliers.
-        // (Numbers that did leave them would stop the program, not spoil the result.)
-        bits_needed(self.valence(), word) + 8 + 10 + bits < WORD_BITS
+        // A weight sums as many multipliers as there are rows. (Numbers that did leave these bits would
+        // stop the program, not spoil the result.)
+        let rules = self.floats.rules();
+        rules.bits(word) + rules.inverse_bits() + 10 + bits < WORD_BITS
     }
 
     /// The exact weights of a target's coefficients in a candidate's basis.
@@ -212,25 +229,24 @@ impl Prover {
         word: Word,
         target: Target,
         bases: &[usize],
-    ) -> Option<[Value; 15]> {
+    ) -> Option<Vec<Value>> {
         let bases: Vec<&Basis> = bases.iter().map(|&b| &self.candidates[b].basis).collect();
         fn all<T: Integer>(
-            weight: &RingWeight,
-            t: &[ExactFunctional<T>; 15],
+            numbers: &Numbers,
+            t: &[ExactFunctional<T>],
             bases: &[&Basis],
-        ) -> Option<[Value; 15]> {
+        ) -> Option<Vec<Value>> {
             let pairs = t.iter().zip(bases.iter().cycle());
-            let weights: Option<Vec<Value>> = pairs
-                .map(|(t, basis)| cell::exact_weight(weight, t, basis))
-                .collect();
-            weights?.try_into().ok()
+            pairs
+                .map(|(t, basis)| cell::exact_weight(numbers, t, basis))
+                .collect()
         }
         if self.fits(word) {
             let t = target_of(&mut self.words, word, target);
-            all(&self.weight, &t, &bases)
+            all(&self.numbers, &t, &bases)
         } else {
             let t = target_of(&mut self.big, word, target);
-            all(&self.weight, &t, &bases)
+            all(&self.numbers, &t, &bases)
         }
     }
 
@@ -241,22 +257,22 @@ impl Prover {
         l: usize,
         index: usize,
     ) -> Option<Value> {
-        fn scaled<A: Space>(nets: &mut Nets<A>, word: Word, l: usize) -> A::V {
+        fn scaled<A: Arithmetic>(nets: &mut Nets<A>, word: Word, l: usize) -> A::V {
             let difference = nets.difference(word, l);
-            nets.space_scale(&difference)
+            nets.scale(&difference)
         }
         let basis = &self.candidates[index].basis;
         if self.fits(word) {
-            cell::exact_weight(&self.weight, &scaled(&mut self.words, word, l), basis)
+            cell::exact_weight(&self.numbers, &scaled(&mut self.words, word, l), basis)
         } else {
-            cell::exact_weight(&self.weight, &scaled(&mut self.big, word, l), basis)
+            cell::exact_weight(&self.numbers, &scaled(&mut self.big, word, l), basis)
         }
     }
 
     /// The exact value of a second difference of a word's net at a candidate's net.
     pub(super) fn difference_value(&mut self, word: Word, l: usize, net: usize) -> Value {
         let difference = self.big.difference(word, l);
-        let scaled = self.big.space_scale(&difference);
+        let scaled = self.big.scale(&difference);
         self.value_at(&scaled, net)
     }
 
@@ -275,9 +291,9 @@ impl Prover {
     {
         let basis = &self.candidates[basis].basis;
         if self.fits(word) {
-            cell::exact_weight(&self.weight, &small(&mut self.words), basis)
+            cell::exact_weight(&self.numbers, &small(&mut self.words), basis)
         } else {
-            cell::exact_weight(&self.weight, &large(&mut self.big), basis)
+            cell::exact_weight(&self.numbers, &large(&mut self.big), basis)
         }
     }
 
@@ -287,20 +303,20 @@ impl Prover {
         let dot = |row: &Vec<T>| {
             let products = row.iter().zip(&candidate.scaled_net);
             let sum: BigInt = products.map(|(a, &y)| a.to_big() * y).sum();
-            let denominator = BigInt::from(t.denominator) * candidate.basis.determinant();
+            let denominator = &t.denominator * candidate.basis.determinant();
             Rational::new(sum, denominator)
         };
         Value::new(t.numerators.iter().map(dot).collect())
     }
 
     /// The exact Bernstein coefficients of a target at a candidate's net.
-    pub(super) fn values_at(&mut self, word: Word, target: Target, net: usize) -> [Value; 15] {
+    pub(super) fn values_at(&mut self, word: Word, target: Target, net: usize) -> Vec<Value> {
         if self.fits(word) {
             let t = target_of(&mut self.words, word, target);
-            t.map(|t| self.value_at(&t, net))
+            t.iter().map(|t| self.value_at(t, net)).collect()
         } else {
             let t = target_of(&mut self.big, word, target);
-            t.map(|t| self.value_at(&t, net))
+            t.iter().map(|t| self.value_at(t, net)).collect()
         }
     }
 
@@ -312,7 +328,7 @@ impl Prover {
 
     /// |value|, of a value whose sign is known.
     pub(super) fn absolute(&self, value: Value) -> Value {
-        if self.weight.at_most(&value, &Value::zero()) {
+        if self.numbers.at_most(&value, &Value::zero()) {
             Value::zero() - &value
         } else {
             value
@@ -320,7 +336,7 @@ impl Prover {
     }
 }
 
-fn target_of<A: Space>(nets: &mut Nets<A>, word: Word, target: Target) -> [A::V; 15] {
+fn target_of<A: Arithmetic>(nets: &mut Nets<A>, word: Word, target: Target) -> Vec<A::V> {
     match target {
         Target::Distance(against, k) => nets.target(word, against, k),
         Target::Linear(depth) => nets.linear_target(word, depth),

@@ -1,6 +1,5 @@
 //! Constants that are finitely many programs: rates, and single coefficients.
 
-use num_bigint::BigInt;
 use num_traits::{ToPrimitive, Zero};
 
 use super::constant::{At, Conclusion, Constant, Proof};
@@ -26,22 +25,22 @@ impl Prover {
                     .as_ref()
                     .map_or_else(Value::zero, |(known, ..)| known.clone());
                 let below = self.difference_value(word, l, index);
-                let enough = self.weight.at_most(&above, &self.absolute(below))
-                    || self.weight.at_most(&above, &known);
+                let enough = self.numbers.at_most(&above, &self.absolute(below))
+                    || self.numbers.at_most(&above, &known);
                 if !enough && let Some(settled) = self.settle_difference(word, l, index) {
                     index = settled;
                     above = self.difference_weight(word, l, index)?;
                 }
                 hint = Some(index);
                 list.push(index);
-                if !self.weight.at_most(&above, &upper) {
+                if !self.numbers.at_most(&above, &upper) {
                     upper = above;
                 }
                 let below = self.difference_value(word, l, index);
                 let below = self.absolute(below);
                 if best
                     .as_ref()
-                    .is_none_or(|(known, ..)| !self.weight.at_most(&below, known))
+                    .is_none_or(|(known, ..)| !self.numbers.at_most(&below, known))
                 {
                     best = Some((below, index, At::Difference(word, l)));
                 }
@@ -51,9 +50,9 @@ impl Prover {
         let (lower, net, at) = best?;
         Some(Proof {
             constant,
-            lo: self.weight.enclose(&lower).inf(),
-            hi: self.weight.enclose(&upper).sup(),
-            exact: self.weight.at_most(&upper, &lower).then_some(lower),
+            lo: self.numbers.enclose(&lower).inf(),
+            hi: self.numbers.enclose(&upper).sup(),
+            exact: self.numbers.at_most(&upper, &lower).then_some(lower),
             net,
             at,
             lemma: None,
@@ -66,13 +65,10 @@ impl Prover {
     fn settle_difference(&mut self, word: Word, l: usize, from: usize) -> Option<usize> {
         // Positive factors do not matter: the numerators at b.
         let numerators = self.big.difference(word, l).numerators;
-        let b = self.weight.exact.clone();
         let at = |point: usize| {
-            let horner = |sum: Cyclotomic, row: &Vec<BigInt>| {
-                let coefficient = Rational::from_integer(row[point].clone());
-                sum * &b + Cyclotomic::from_rational(&coefficient)
-            };
-            numerators.iter().rev().fold(Cyclotomic::zero(), horner)
+            let coefficients = numerators.iter().map(|row| &row[point]);
+            let coefficients = coefficients.map(|c| Rational::from_integer(c.clone()));
+            self.numbers.numerator(&Value::new(coefficients.collect()))
         };
         let t: Vec<Cyclotomic> = (0..self.rows.size()).map(at).collect();
         let best = self.rows.minimise(&t, &self.candidate(from).basis)?;
@@ -91,9 +87,9 @@ impl Prover {
         let upper = self.exact_weights(word, target, &[net])?[index].clone();
         Some(Proof {
             constant: Constant::Coefficient(word, index),
-            lo: self.weight.enclose(&lower).inf(),
-            hi: self.weight.enclose(&upper).sup(),
-            exact: self.weight.at_most(&upper, &lower).then_some(lower),
+            lo: self.numbers.enclose(&lower).inf(),
+            hi: self.numbers.enclose(&upper).sup(),
+            exact: self.numbers.at_most(&upper, &lower).then_some(lower),
             net,
             at: At::Claimed,
             lemma: None,

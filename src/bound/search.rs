@@ -5,7 +5,8 @@ use num_traits::Zero;
 use super::functional::FloatFunctional;
 use super::nets::Against;
 use super::prover::{Prover, Target};
-use super::quartic;
+use super::maximum;
+use super::shape::Shape;
 use super::word::Word;
 
 /// A point where a large value was found.
@@ -47,20 +48,14 @@ impl Prover {
             });
         }
         let target = Target::Distance(against, k);
-        let starts = [
-            [0.33, 0.34],
-            [0.03, 0.02],
-            [0.95, 0.02],
-            [0.02, 0.95],
-            [0.48, 0.02],
-            [0.02, 0.48],
-            [0.49, 0.49],
-        ];
+        let shape = self.shape();
+        let starts = starts(shape);
         let mut hint = None;
         let mut found: Vec<Witness> = Vec::new();
-        for ring in 0..k + 4 {
+        let root = self.root().len();
+        for ring in root..root + k + 4 {
             let mut words = vec![Word::zeros(ring).child(1), Word::zeros(ring).child(2)];
-            while words.first().is_some_and(|word| word.len() < k) {
+            while words.first().is_some_and(|word| word.len() < k + root) {
                 words = words
                     .iter()
                     .flat_map(|word| (0..4).map(|l| word.child(l)))
@@ -72,8 +67,8 @@ impl Prover {
             }
             for word in words {
                 let t = self.float_target(word, target);
-                for start in starts {
-                    let (net, _) = self.propose(&at(&t, start), hint)?;
+                for &start in starts {
+                    let (net, _) = self.propose(&at(shape, &t, start), hint)?;
                     hint = Some(net);
                     let (value, at) = self.maximum(&t, net);
                     found.push(Witness {
@@ -118,9 +113,11 @@ impl Prover {
 
     /// The maximum of a net's own distance over a part, near the best grid point.
     pub(super) fn maximum(&self, t: &[FloatFunctional], net: usize) -> (f64, [f64; 2]) {
-        let values: [f64; 15] = std::array::from_fn(|i| t[i].at(&self.candidate(net).net));
-        let (value, at) = quartic::maximise(&values);
-        let (other, there) = quartic::maximise(&values.map(|x| -x));
+        let net = &self.candidate(net).net;
+        let values: Vec<f64> = t.iter().map(|t| t.at(net)).collect();
+        let opposite: Vec<f64> = values.iter().map(|x| -x).collect();
+        let (value, at) = maximum::maximise(self.shape(), &values);
+        let (other, there) = maximum::maximise(self.shape(), &opposite);
         if other > value {
             (other, there)
         } else {
@@ -134,7 +131,7 @@ impl Prover {
         for _ in 0..20 {
             // A little inside: at borders and symmetry lines the best net is not unique.
             let inside = witness.at.map(|x| x * (1.0 - 1e-7) + 1e-8);
-            let (net, _) = self.propose(&at(&t, inside), Some(witness.net))?;
+            let (net, _) = self.propose(&at(self.shape(), &t, inside), Some(witness.net))?;
             let (value, at) = self.maximum(&t, net);
             if value <= witness.value * (1.0 + 1e-13) {
                 break;
@@ -150,9 +147,35 @@ impl Prover {
     }
 }
 
-/// The value of a quartic with functional coefficients at a point.
-fn at(t: &[FloatFunctional], point: [f64; 2]) -> FloatFunctional {
-    let weights = quartic::basis(point);
+/// Where to start, a little inside: at borders and symmetry lines the best net is not unique.
+fn starts(shape: Shape) -> &'static [[f64; 2]] {
+    match shape {
+        Shape::Triangle => &[
+            [0.33, 0.34],
+            [0.03, 0.02],
+            [0.95, 0.02],
+            [0.02, 0.95],
+            [0.48, 0.02],
+            [0.02, 0.48],
+            [0.49, 0.49],
+        ],
+        Shape::Bicubic | Shape::Biquadratic => &[
+            [0.49, 0.52],
+            [0.03, 0.02],
+            [0.97, 0.02],
+            [0.96, 0.97],
+            [0.03, 0.98],
+            [0.48, 0.02],
+            [0.02, 0.48],
+            [0.97, 0.51],
+            [0.51, 0.97],
+        ],
+    }
+}
+
+/// The value of a polynomial with functional coefficients at a point.
+fn at(shape: Shape, t: &[FloatFunctional], point: [f64; 2]) -> FloatFunctional {
+    let weights = shape.basis(point);
     let terms = t.iter().zip(weights);
     let zero = FloatFunctional::zero();
     terms.fold(zero, |sum, (t, w)| sum.plus(w, t))

@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use super::constant::{Constant, Proof};
 use super::prover::Prover;
+use super::rules::Family;
 use crate::certificate::Certificate;
-use crate::scheme::LoopWeights;
 
 /// One constant of one valence.
 #[derive(Clone, Debug)]
@@ -32,16 +32,17 @@ pub struct Row {
 ///
 /// `tell` hears how many valences are done.
 pub fn tabulate(
-    weights: LoopWeights,
+    family: impl Into<Family>,
     valences: &[u32],
     constants: &[Constant],
     gap: f64,
     certify: bool,
     tell: &(dyn Fn(u32, u32) + Sync),
 ) -> Vec<Row> {
+    let family = family.into();
     let done = std::sync::atomic::AtomicU32::new(0);
     let one = |&n: &u32| -> Vec<Row> {
-        let mut prover = Prover::new(weights, n);
+        let mut prover = Prover::new(family, n);
         let rows = constants.iter().map(|&constant| {
             let start = Instant::now();
             let proof = prover.prove(constant, gap);

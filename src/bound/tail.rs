@@ -1,18 +1,20 @@
 //! The upper side near the extraordinary corner, where S never becomes one polynomial.
 
 use super::cell;
+use super::arithmetic::{Arithmetic, Exact};
 use super::functional::Integer;
-use super::nets::{Against, Exact, Nets, Space};
+use super::nets::{Against, Nets};
 use super::prover::{Bound, Candidate, Prover, SLACK};
-use super::value::RingWeight;
+use super::shape::Shape;
+use super::value::Numbers;
 use super::word::Word;
-use crate::scalar::{Rational, ShortRational};
+use crate::scalar::{Rational, Ring};
 
 /// Bases for the functionals of a tail: `[corner][sign][l]`.
 pub type TailProof = Vec<[Vec<usize>; 2]>;
 
 /// A tail: what is left of a face near its extraordinary corner, closed by a bound D of ‖S - F_0‖ over
-/// the words `0^depth`.
+/// the root's `0^depth`.
 #[derive(Clone, Debug)]
 pub struct Tail {
     /// Whose distance.
@@ -28,7 +30,7 @@ pub struct Tail {
 /// The functionals of a tail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TailKind {
-    /// `F_K - F_k` at the corners of `0^(K+J)`, F_K the control triangle.
+    /// `F_K - F_k` at the corners of the root's `0^(K+J)`, F_K the level-K control mesh.
     Distance(Against, usize),
     /// The rule of order 1.
     Linear,
@@ -67,27 +69,23 @@ impl Prover {
             }
             proof.push(signs);
         }
-        let word = Word::zeros(tail.level() + tail.depth);
+        let word = Word::zeros(self.root().len() + tail.steps + tail.depth);
         let exact = if self.fits_times(word, tail.bits(self.valence())) {
             tail.holds(
                 &mut self.words,
-                &self.weight,
+                &self.numbers,
                 &self.candidates,
                 &proof,
                 bound,
             )
         } else {
-            tail.holds(&mut self.big, &self.weight, &self.candidates, &proof, bound)
+            tail.holds(&mut self.big, &self.numbers, &self.candidates, &proof, bound)
         };
         exact.then_some(proof)
     }
 }
 
 impl Tail {
-    fn level(&self) -> usize {
-        self.steps
-    }
-
     /// Bits that a product with D takes, D a polynomial of degree 1 in b as a rule.
     fn bits(&self, n: u32) -> u32 {
         let bits = |c: &Rational| (c.numer().bits() + c.denom().bits()) as u32;
@@ -98,28 +96,42 @@ impl Tail {
 
     /// The functionals without D (times the factor of the space), by corner, and the differences
     /// (without the factor).
-    fn functionals<A: Space>(&self, nets: &mut Nets<A>) -> (Vec<A::V>, Vec<A::V>) {
-        let k = self.steps;
-        let [z0, z1] = nets.leading_points(k);
-        let differences = nets.differences(Word::zeros(k));
-        let side = 1i64 << self.depth;
-        let part = |p: i64, q: i64| <A::S as crate::scalar::Field>::ratio(p, q);
+    fn functionals<A: Arithmetic>(&self, nets: &mut Nets<A>) -> (Vec<A::V>, Vec<A::V>) {
+        let (steps, shape) = (self.steps, nets.rules().shape());
+        let z = nets.root_corners(steps);
+        let differences = nets.differences(Word::zeros(steps));
+        // F_0 at the corner c of `0^depth`; the last corner is the mirror image of corner 1.
+        let (side, scale) = (1i64 << self.depth, 1i64 << steps);
+        let corners = &shape.corners()[..shape.corners().len() - 1];
+        let at = |mesh: &[A::V], corner: [i64; 2], side| {
+            shape.interpolate::<A::S, A::V>(mesh, corner, side)
+        };
         match self.kind {
             TailKind::Distance(against, level) => {
-                let [f0, f1, _] = nets.mesh_at_corners(Word::zeros(k + self.depth), against, level);
-                let edge = z0.clone() * &part(side - 1, side) + &(z1 * &part(1, side));
-                (vec![z0 - &f0, edge - &f1], differences)
+                let word = Word::zeros(nets.rules().root().len() + steps + self.depth);
+                let f = nets.mesh_at_corners(word, against, level);
+                let pairs = corners.iter().zip(&f);
+                let bases = pairs.map(|(&corner, f)| at(&z, corner, side) - f);
+                (bases.collect(), differences)
             }
             TailKind::Linear => {
-                let scale = 1i64 << k;
-                let [y0, y1] = nets.leading_points(0);
+                let y = nets.root_corners(0);
                 let t0 = nets.corner_target(Against::Control, 0);
-                // 2^K (L_1 - (1 - 2^-K) t_0), L_1 = (1-h) z_1 + h z_2 - (1 - h 2^-K) y_1 - h 2^-K y_2.
-                let edge = z0 * &part(side - 1, side) + &(z1 * &part(1, side));
-                let chord = y0 * &part(side * scale - 1, side) + &(y1 * &part(1, side));
-                let base = edge * &part(scale, 1) - &chord - &(t0 * &part(scale - 1, 1));
-                let scaled = |d: A::V| d * &part(scale, 1);
-                (vec![base], differences.into_iter().map(scaled).collect())
+                let times = |v: A::V, k: i64| v * &A::S::from_integer(k);
+                // L_c 2^K, L_c = F_0(corner)(A^K y) - F_0(2^-K corner)(y).
+                let step = |corner: [i64; 2]| {
+                    times(at(&z, corner, side) - &at(&y, corner, side * scale), scale)
+                };
+                let rest = times(t0, scale - 1);
+                let bases = match shape {
+                    Shape::Triangle => vec![step(corners[1]) - &rest],
+                    Shape::Bicubic | Shape::Biquadratic => vec![
+                        times(step(corners[1]), 2) - &step(corners[0]) - &rest,
+                        step(corners[2]) - &rest,
+                    ],
+                };
+                let scaled = differences.into_iter().map(|d| times(d, scale));
+                (bases, scaled.collect())
             }
         }
     }
@@ -128,27 +140,15 @@ impl Tail {
     fn holds<T: Integer>(
         &self,
         nets: &mut Nets<Exact<T>>,
-        weight: &RingWeight,
+        numbers: &Numbers,
         candidates: &[Candidate],
         proof: &TailProof,
         bound: &Bound,
     ) -> bool {
         let (bases, differences) = self.functionals(nets);
-        let short = |c: &Rational| -> Option<ShortRational> {
-            let (p, q) = (
-                i64::try_from(c.numer()).ok()?,
-                i64::try_from(c.denom()).ok()?,
-            );
-            Some(ShortRational::new_raw(p, q))
-        };
-        // D = p(b) / q: p times a difference is q times D times it.
-        let polynomial: Option<Vec<ShortRational>> =
-            self.bound.value.coefficients().iter().map(short).collect();
-        let Some(polynomial) = polynomial else {
-            return false;
-        };
+        // D = p / q: p times a difference is q times D times it.
         let scaled: Vec<_> = (differences.iter())
-            .map(|d| d.times_polynomial(&polynomial))
+            .map(|d| d.times_polynomial(self.bound.value.coefficients()))
             .collect();
         proof.iter().zip(&bases).all(|(signs, base)| {
             scaled.iter().enumerate().all(|(l, difference)| {
@@ -156,8 +156,8 @@ impl Tail {
                 let minus = base.clone() - difference;
                 [plus, minus].iter().zip(signs).all(|(t, list)| {
                     let basis = &candidates[list[l]].basis;
-                    let value = cell::exact_weight(weight, t, basis);
-                    value.is_some_and(|value| weight.at_most(&value, &bound.value))
+                    let value = cell::exact_weight(numbers, t, basis);
+                    value.is_some_and(|value| numbers.at_most(&value, &bound.value))
                 })
             })
         })

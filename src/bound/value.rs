@@ -1,4 +1,11 @@
-//! Numbers of the form `(polynomial in b) / q`, b the ring weight of a valence, q = 3 + 8 n b.
+//! Exact numbers of a scheme at a valence: rational combinations of a few real numbers g_0 = 1, g_1, ..,
+//! over a common denominator q.
+//!
+//! | scheme | g_d | q |
+//! |---|---|---|
+//! | Loop | b^d, b the ring weight | 3 + 8 n b |
+//! | Catmull-Clark | g_0 only | 1 |
+//! | Doo-Sabin | cos(2πd/n), 2 g_a g_b = g_(a+b) + g_(a-b) | 1 |
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
@@ -7,16 +14,16 @@ use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 use super::functional::Integer;
-use crate::scalar::{Cyclotomic, Interval, Rational, Ring};
+use crate::scalar::{Cyclotomic, Field, Interval, Rational, Ring};
 use crate::scheme::{LoopWeights, loop_scheme};
 
-/// The number `(Σ c_d b^d) / q`: an identity of values holds for every b, its size only for the b of
-/// a valence, [`RingWeight`]. No trailing zeros.
+/// The number `(Σ c_d g_d) / q`: an identity of values holds whatever the g_d; its size is known by the
+/// [`Numbers`]. No trailing zeros.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Value(Vec<Rational>);
 
 impl Value {
-    /// From the coefficients of b^0, b^1, ..
+    /// From the coefficients of g_0, g_1, ..
     pub fn new(mut coefficients: Vec<Rational>) -> Self {
         while coefficients.last().is_some_and(Zero::is_zero) {
             coefficients.pop();
@@ -24,24 +31,9 @@ impl Value {
         Value(coefficients)
     }
 
-    /// The coefficients of b^0, b^1, .. of the numerator.
+    /// The coefficients of g_0, g_1, .. in the numerator.
     pub fn coefficients(&self) -> &[Rational] {
         &self.0
-    }
-
-    /// The rational r, that is r q / q.
-    pub fn rational(n: u32, r: &Rational) -> Self {
-        let over = |k: i64| r * <Rational as Ring>::from_integer(k);
-        Self::new(vec![over(3), over(8 * i64::from(n))])
-    }
-
-    /// r, if the numerator is r q identically.
-    fn to_rational(&self, n: u32) -> Option<Rational> {
-        let r = match self.0.first() {
-            None => Rational::zero(),
-            Some(constant) => constant / <Rational as Ring>::from_integer(3),
-        };
-        (Self::rational(n, &r) == *self).then_some(r)
     }
 
     /// The coefficients in powers of β = n b.
@@ -113,109 +105,171 @@ impl Mul<&Rational> for Value {
     }
 }
 
-/// The ring weight b of a valence: an exact number, enclosures of it, and the signs of polynomials
-/// in it.
+/// The numbers g_d of a scheme at a valence: enclosures, signs of combinations, exact values.
 #[derive(Clone, Debug)]
-pub struct RingWeight {
-    /// The valence.
+pub struct Numbers {
+    /// The valence, or the number of sides of Doo-Sabin's face.
     pub n: u32,
-    /// The weights.
-    pub weights: LoopWeights,
-    /// b.
-    pub exact: Cyclotomic,
-    interval: Interval,
-    fine: (Rational, Rational),
+    /// q, by its coefficients.
+    q: Value,
+    kind: Kind,
+}
+
+#[derive(Clone, Debug)]
+enum Kind {
+    /// g_d = b^d.
+    Powers {
+        exact: Cyclotomic,
+        interval: Interval,
+        fine: (Rational, Rational),
+    },
+    /// g_d = cos(2πd/n).
+    Cosines {
+        intervals: Vec<Interval>,
+        fine: Vec<(Rational, Rational)>,
+    },
 }
 
 /// Bits of the enclosure that decides where `f64` intervals do not.
 const FINE_BITS: u32 = 220;
 
-impl RingWeight {
-    /// The ring weight of a valence n >= 3.
-    pub fn new(weights: LoopWeights, n: u32) -> Self {
+impl Numbers {
+    /// For Loop's scheme at valence n >= 3.
+    pub fn of_loop(weights: LoopWeights, n: u32) -> Self {
         let sum = loop_scheme::ring_weight_sum::<Cyclotomic>(weights, n)
             .expect("cyclotomic numbers have every cosine");
         let exact = sum / Cyclotomic::from_integer(i64::from(n));
-        RingWeight {
-            n,
-            weights,
+        let q = [3, 8 * i64::from(n)].map(<Rational as Ring>::from_integer);
+        Self::powers(n, exact, Value::new(q.to_vec()))
+    }
+
+    /// Rational numbers only: for Catmull-Clark at valence n.
+    pub fn rationals(n: u32) -> Self {
+        let one = Value::new(vec![Rational::one()]);
+        Self::powers(n, Cyclotomic::from_integer(0), one)
+    }
+
+    fn powers(n: u32, exact: Cyclotomic, q: Value) -> Self {
+        let kind = Kind::Powers {
             interval: exact.enclose(),
             fine: exact.enclose_rational(FINE_BITS),
             exact,
+        };
+        Numbers { n, q, kind }
+    }
+
+    /// The cosines cos(2πd/n): for Doo-Sabin's face of n sides.
+    pub fn cosines(n: u32) -> Self {
+        let exact: Vec<Cyclotomic> = (0..=n / 2).map(|d| cosine_of(d, n)).collect();
+        Numbers {
+            n,
+            q: Value::new(vec![Rational::one()]),
+            kind: Kind::Cosines {
+                intervals: exact.iter().map(Cyclotomic::enclose).collect(),
+                fine: (exact.iter())
+                    .map(|c| c.enclose_rational(FINE_BITS))
+                    .collect(),
+            },
         }
     }
 
-    /// b in `f64`: a proposal.
-    pub fn float(&self) -> f64 {
-        self.interval.mid()
+    /// Loop's ring weight b; 0 for the other schemes.
+    pub fn ring_weight(&self) -> Cyclotomic {
+        match &self.kind {
+            Kind::Powers { exact, .. } => exact.clone(),
+            Kind::Cosines { .. } => Cyclotomic::from_integer(0),
+        }
     }
 
-    /// Whether b is rational: then every question is decided.
+    /// The rational r as a value: r q / q.
+    pub fn constant(&self, r: &Rational) -> Value {
+        self.q.clone() * r
+    }
+
+    /// Whether all g_d are rational: then every question is decided.
     pub fn is_rational(&self) -> bool {
-        self.fine.0 == self.fine.1
+        match &self.kind {
+            Kind::Powers { fine, .. } => fine.0 == fine.1,
+            Kind::Cosines { fine, .. } => fine.iter().all(|(inf, sup)| inf == sup),
+        }
     }
 
-    /// The largest |p(b)| over the fine enclosure of b, and the sign of p(b) if that is certain there;
-    /// 0 only if p is identically zero or b is rational.
+    /// The sign of `Σ p_d g_d` if it is certain; 0 only if it is identically zero or all g_d are
+    /// rational.
     pub fn sign<T: Integer>(&self, p: &[T]) -> Option<i32> {
         if p.iter().all(Integer::is_zero) {
             return Some(0);
         }
-        let zero = Interval::point(0.0);
-        let horner = |sum: Interval, c: &T| sum * self.interval + c.enclose();
-        let rough = p.iter().rev().fold(zero, horner);
+        let rough = self.rough(p, T::enclose);
         if rough.inf() > 0.0 {
             return Some(1);
         } else if rough.sup() < 0.0 {
             return Some(-1);
         }
-        let big: Vec<Rational> = p
-            .iter()
-            .map(|c| Rational::from_integer(c.to_big()))
-            .collect();
-        sign_of(&self.fine_range(&big))
+        sign_of(&self.fine(&big(p)))
     }
 
-    /// The range of a polynomial over the fine enclosure of b > 0.
-    fn fine_range(&self, p: &[Rational]) -> (Rational, Rational) {
-        let (b_inf, b_sup) = &self.fine;
-        let step = |(inf, sup): (Rational, Rational), c: &Rational| {
-            let low = if inf.is_negative() { b_sup } else { b_inf };
-            let high = if sup.is_negative() { b_inf } else { b_sup };
-            (inf * low + c, sup * high + c)
-        };
-        p.iter()
-            .rev()
-            .fold((Rational::zero(), Rational::zero()), step)
+    /// The range of `Σ p_d g_d` by `f64` intervals.
+    fn rough<T>(&self, p: &[T], enclose: impl Fn(&T) -> Interval) -> Interval {
+        let zero = Interval::point(0.0);
+        match &self.kind {
+            Kind::Powers { interval, .. } => {
+                (p.iter().rev()).fold(zero, |sum, c| sum * *interval + enclose(c))
+            }
+            Kind::Cosines { intervals, .. } => (p.iter().zip(intervals))
+                .fold(zero, |sum, (c, g)| sum + enclose(c) * *g),
+        }
     }
 
-    /// A rational at least |p(b)|.
+    /// The range of `Σ p_d g_d` by the fine enclosures.
+    fn fine(&self, p: &[Rational]) -> (Rational, Rational) {
+        let zero = (Rational::zero(), Rational::zero());
+        match &self.kind {
+            Kind::Powers { fine, .. } => {
+                // Horner's rule; b >= 0.
+                let (b_inf, b_sup) = fine;
+                let step = |(inf, sup): (Rational, Rational), c: &Rational| {
+                    let low = if inf.is_negative() { b_sup } else { b_inf };
+                    let high = if sup.is_negative() { b_inf } else { b_sup };
+                    (inf * low + c, sup * high + c)
+                };
+                p.iter().rev().fold(zero, step)
+            }
+            Kind::Cosines { fine, .. } => {
+                let step = |(inf, sup): (Rational, Rational), (c, g): (&Rational, &_)| {
+                    let (g_inf, g_sup): &(Rational, Rational) = g;
+                    let (low, high) = match c.is_negative() {
+                        true => (g_sup, g_inf),
+                        false => (g_inf, g_sup),
+                    };
+                    (inf + low * c, sup + high * c)
+                };
+                p.iter().zip(fine).fold(zero, step)
+            }
+        }
+    }
+
+    /// A rational at least |Σ p_d g_d|.
     pub fn magnitude<T: Integer>(&self, p: &[T]) -> Rational {
-        let big: Vec<Rational> = p
-            .iter()
-            .map(|c| Rational::from_integer(c.to_big()))
-            .collect();
-        let (inf, sup) = self.fine_range(&big);
+        let (inf, sup) = self.fine(&big(p));
         inf.abs().max(sup.abs())
     }
 
-    /// The order of two values: `Equal` only if they are identical or b is rational; `None` if it
-    /// takes more than the fine enclosure.
+    /// The order of two values: `Equal` only if they are identical or all g_d are rational; `None` if
+    /// it takes more than the fine enclosures.
     pub fn compare(&self, a: &Value, b: &Value) -> Option<Ordering> {
         let difference = a.clone() - b;
         if difference.is_zero() {
             return Some(Ordering::Equal);
         }
-        let zero = Interval::point(0.0);
         let coefficients = difference.coefficients();
-        let horner = |sum: Interval, c: &Rational| sum * self.interval + Interval::from_rational(c);
-        let rough = coefficients.iter().rev().fold(zero, horner);
+        let rough = self.rough(coefficients, Interval::from_rational);
         if rough.inf() > 0.0 {
             return Some(Ordering::Greater);
         } else if rough.sup() < 0.0 {
             return Some(Ordering::Less);
         }
-        sign_of(&self.fine_range(coefficients)).map(|sign| sign.cmp(&0))
+        sign_of(&self.fine(coefficients)).map(|sign| sign.cmp(&0))
     }
 
     /// Whether a <= b, certainly.
@@ -223,16 +277,42 @@ impl RingWeight {
         matches!(self.compare(a, b), Some(Ordering::Less | Ordering::Equal))
     }
 
+    /// q times the product of two values, as a value: the product of the numerators, over q.
+    pub fn product(&self, a: &Value, b: &Value) -> Value {
+        let (a, b) = (a.coefficients(), b.coefficients());
+        match &self.kind {
+            Kind::Powers { .. } => {
+                let mut sums = vec![Rational::zero(); a.len() + b.len()];
+                for (i, p) in a.iter().enumerate() {
+                    for (j, q) in b.iter().enumerate() {
+                        sums[i + j] += p * q;
+                    }
+                }
+                Value::new(sums)
+            }
+            Kind::Cosines { fine, .. } => {
+                let n = self.n as usize;
+                let mut sums = vec![Rational::zero(); fine.len()];
+                for (i, p) in a.iter().enumerate() {
+                    for (j, q) in b.iter().enumerate() {
+                        let half = p * q / <Rational as Ring>::from_integer(2);
+                        for at in [(i + j) % n, (i + n - j) % n] {
+                            sums[at.min(n - at)] += half.clone();
+                        }
+                    }
+                }
+                Value::new(sums)
+            }
+        }
+    }
+
     /// An enclosure of a value by `f64`; the tightest one for rationals.
     pub fn enclose(&self, value: &Value) -> Interval {
         if let Some(r) = self.rational(value) {
             return Interval::from_rational(&r);
         }
-        let (inf, sup) = self.fine_range(value.coefficients());
-        let (q_inf, q_sup) = self.fine_range(&[
-            <Rational as Ring>::from_integer(3),
-            <Rational as Ring>::from_integer(8 * i64::from(self.n)),
-        ]);
+        let (inf, sup) = self.fine(value.coefficients());
+        let (q_inf, q_sup) = self.fine(self.q.coefficients());
         let over = |x: Rational, small: &Rational, large: &Rational| {
             let negative = x.is_negative();
             x / if negative { small } else { large }
@@ -242,25 +322,50 @@ impl RingWeight {
         Interval::new(inf, sup)
     }
 
-    /// The value as a rational: if it is one for every b, or if b is rational.
+    /// The value as a rational: if it is one identically, or if all g_d are rational.
     pub fn rational(&self, value: &Value) -> Option<Rational> {
-        let identically = value.to_rational(self.n);
-        identically.or_else(|| {
-            self.is_rational()
-                .then(|| self.evaluate(value).to_rational())?
-        })
+        let constant = match value.0.first() {
+            None => Rational::zero(),
+            Some(constant) => constant / &self.q.0[0],
+        };
+        if self.constant(&constant) == *value {
+            return Some(constant);
+        }
+        if !self.is_rational() {
+            return None;
+        }
+        self.evaluate(value).to_rational()
     }
 
     /// The value as an exact number.
     pub fn evaluate(&self, value: &Value) -> Cyclotomic {
-        let horner =
-            |sum: Cyclotomic, c: &Rational| sum * &self.exact + Cyclotomic::from_rational(c);
-        let numerator =
-            (value.coefficients().iter().rev()).fold(Cyclotomic::from_integer(0), horner);
-        let q = Cyclotomic::from_integer(8 * i64::from(self.n)) * &self.exact
-            + Cyclotomic::from_integer(3);
-        numerator / q
+        self.numerator(value) / self.numerator(&self.q)
     }
+
+    /// The numerator of a value as an exact number.
+    pub fn numerator(&self, value: &Value) -> Cyclotomic {
+        let zero = Cyclotomic::from_integer(0);
+        let coefficients = value.coefficients();
+        match &self.kind {
+            Kind::Powers { exact, .. } => (coefficients.iter().rev())
+                .fold(zero, |sum, c| sum * exact + Cyclotomic::from_rational(c)),
+            Kind::Cosines { .. } => (0..).zip(coefficients).fold(zero, |sum, (d, c)| {
+                sum + cosine_of(d, self.n) * &Cyclotomic::from_rational(c)
+            }),
+        }
+    }
+}
+
+/// cos(2πd/n).
+fn cosine_of(d: u32, n: u32) -> Cyclotomic {
+    let twice = Cyclotomic::two_cos(d, n).expect("cyclotomic numbers have every cosine");
+    twice / Cyclotomic::from_integer(2)
+}
+
+fn big<T: Integer>(p: &[T]) -> Vec<Rational> {
+    p.iter()
+        .map(|c| Rational::from_integer(c.to_big()))
+        .collect()
 }
 
 fn sign_of((inf, sup): &(Rational, Rational)) -> Option<i32> {
@@ -273,7 +378,7 @@ fn sign_of((inf, sup): &(Rational, Rational)) -> Option<i32> {
     }
 }
 
-/// `Σ_d p_d b^d / denominator` as a value.
+/// `Σ_d p_d g_d / denominator` as a value.
 pub(super) fn value_of<T: Integer>(p: &[T], denominator: &BigInt) -> Value {
     let over = |c: &T| Rational::new(c.to_big(), denominator.clone());
     Value::new(p.iter().map(over).collect())

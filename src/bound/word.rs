@@ -3,9 +3,10 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::shape::Shape;
 use crate::scheme::Tile;
 
-/// A part of the parameter triangle of a face, one letter 0, 1, 2, 3 for each level: 0 keeps the
+/// A part of the parameter domain of a face, one letter 0, 1, 2, 3 for each level: 0 keeps the
 /// quarter at corner 0, the others take the [`Tile`]s.
 ///
 /// Words of zeros only are *extraordinary*: their net has the extraordinary vertex at corner 0.
@@ -103,16 +104,6 @@ impl Word {
     }
 }
 
-/// The corners of the part `letter` in the parameters of the whole, in halves.
-pub(super) const fn quarter_corners(letter: u8) -> [[i64; 2]; 3] {
-    match letter {
-        0 => [[0, 0], [1, 0], [0, 1]],
-        1 => crate::scheme::loop_scheme::tile_corners(Tile::First),
-        2 => crate::scheme::loop_scheme::tile_corners(Tile::Second),
-        _ => crate::scheme::loop_scheme::tile_corners(Tile::Third),
-    }
-}
-
 /// The tile of a letter 1, 2, 3.
 pub(super) fn tile(letter: u8) -> Option<Tile> {
     match letter {
@@ -124,18 +115,19 @@ pub(super) fn tile(letter: u8) -> Option<Tile> {
 }
 
 impl Word {
-    /// The corners (v, w) of the part in the parameters of its first `from` letters, as integers
-    /// over 2^(len - from).
-    pub fn corners_within(self, from: usize) -> [[i64; 2]; 3] {
-        let unit = |bits: usize| [[0, 0], [1i64 << bits, 0], [0, 1i64 << bits]];
-        let depth = self.len() - from;
-        let mut corners = unit(depth);
+    /// The corners of the part in the parameters of its first `from` letters, as integers over
+    /// 2^(len - from).
+    pub fn corners_within(self, shape: Shape, from: usize) -> Vec<[i64; 2]> {
+        let side = 1i64 << (self.len() - from);
+        let unit = shape.corners().iter();
+        let mut corners: Vec<[i64; 2]> = unit.map(|corner| corner.map(|x| x * side)).collect();
         for i in from..self.len() {
-            let [p0, p1, p2] = corners;
-            // Barycentric: p0 + (v (p1 - p0) + w (p2 - p0)) / 2.
-            corners = quarter_corners(self.letter(i)).map(|[v, w]| {
+            // The axes run from corner 0 to corner 1 and to the last corner.
+            let (p0, p1, p2) = (corners[0], corners[1], corners[corners.len() - 1]);
+            let at = |&[v, w]: &[i64; 2]| {
                 std::array::from_fn(|k| p0[k] + (v * (p1[k] - p0[k]) + w * (p2[k] - p0[k])) / 2)
-            });
+            };
+            corners = shape.quarter(self.letter(i)).iter().map(at).collect();
         }
         corners
     }
@@ -179,8 +171,21 @@ mod tests {
         for text in ["1", "2", "012", "0321", "2213"] {
             let word: Word = text.parse().unwrap();
             let swap = |[v, w]: [i64; 2]| [w, v];
-            let [p0, p1, p2] = word.corners_within(0);
-            assert_eq!(word.mirror().corners_within(0), [p0, p2, p1].map(swap));
+            let corners = |word: Word, shape| word.corners_within(shape, 0);
+            let [p0, p1, p2] = corners(word, Shape::Triangle)[..] else {
+                panic!("a triangle")
+            };
+            assert_eq!(
+                corners(word.mirror(), Shape::Triangle),
+                [p0, p2, p1].map(swap)
+            );
+            let [p0, p1, p2, p3] = corners(word, Shape::Bicubic)[..] else {
+                panic!("a square")
+            };
+            assert_eq!(
+                corners(word.mirror(), Shape::Bicubic),
+                [p0, p3, p2, p1].map(swap)
+            );
         }
     }
 }

@@ -111,6 +111,13 @@ pub enum Number {
     OverQ(Vec<String>),
 }
 
+impl Number {
+    /// Whether it is a rational.
+    pub fn is_rational(&self) -> bool {
+        matches!(self, Number::Rational(_))
+    }
+}
+
 /// A step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "rule", rename_all = "lowercase", deny_unknown_fields)]
@@ -230,13 +237,13 @@ pub enum At {
 /// A part, its bases, the reason.
 pub type Cell = (String, Bases, By);
 
-/// One basis for the 15 coefficients, or one for each.
+/// One basis for all coefficients, or one for each.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Bases {
     /// One.
     One(usize),
-    /// Fifteen.
+    /// One for each.
     Each(Vec<usize>),
 }
 

@@ -7,9 +7,9 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 use clap::ValueEnum;
-use subcert::bound::{Against, Constant, Row, tabulate};
+use subcert::bound::{Against, Constant, Family, Norm, Row, tabulate};
 use subcert::report::constants;
-use subcert::scheme::{LoopWeights, Scheme};
+use subcert::scheme::Scheme;
 
 use super::SchemeArguments;
 use super::exit::Outcome;
@@ -19,12 +19,16 @@ use super::progress::Progress;
 #[derive(clap::Args, Debug)]
 #[command(
     after_help = "Examples:\n  subcert bound limit --scheme loop --valence 3..12 --level 0\n  \
-        subcert bound control --scheme loop --weights warren --valence 7 --level 0..3 --certificates proofs-of-7\n\n\
-        Constants are dimensionless: distance over the largest mixed second difference M of the face's\n\
-        n + 6 control points (the second-order norm of Huang & Wang 2008). C_k: surface to level-k\n\
-        control mesh; B_k: to the level-k limit mesh; r_k: M of level k over M of level 0. Each row is\n\
-        lo <= constant <= hi, proved; `exact` is the constant itself where both sides meet,\n\
-        ck = 2 cos(2 pi k/n)."
+        subcert bound rate --scheme catmull-clark --norm second --valence 3..20 --level 1..3\n  \
+        subcert bound control --scheme doo-sabin --valence 5 --level 0..2 --certificates proofs-of-5\n\n\
+        Constants are dimensionless: distance over the largest M of some differences of the control points\n\
+        of a face with one extraordinary vertex. Norms: second (Loop: mixed second differences of Huang &\n\
+        Wang 2008; Catmull-Clark: second differences of Cheng & Yong), first (Catmull-Clark: differences\n\
+        between each corner of the face and the points round it), face (Doo-Sabin, --valence is the number\n\
+        of sides: second differences through vertices of valence 4, and the diameter of the face; no\n\
+        diameter at 4 sides). C_k: surface to level-k control mesh; B_k: to the level-k limit mesh; r_k: M of\n\
+        level k over M of level 0. Each row is lo <= constant <= hi, proved; `exact` is the constant itself\n\
+        where both sides meet, ck = 2 cos(2 pi k/n)."
 )]
 pub struct Bound {
     /// Which constant
@@ -32,7 +36,12 @@ pub struct Bound {
     constant: ConstantName,
     #[command(flatten)]
     scheme: SchemeArguments,
-    /// Valence of the extraordinary vertex, or a range: 7 or 3..12 (both ends included)
+    /// The norm that constants are relative to: second, first (Catmull-Clark), face (Doo-Sabin)
+    /// [default: face for Doo-Sabin, else second]
+    #[arg(long, value_name = "NORM")]
+    norm: Option<Norm>,
+    /// Valence of the extraordinary vertex (Doo-Sabin: sides of the face), or a range: 7 or 3..12
+    /// (both ends included)
     #[arg(long, value_name = "A..B")]
     valence: Range,
     /// Level, or a range of levels: 0 or 1..3 [default: 0, for rates 1]
@@ -106,12 +115,7 @@ impl Bound {
     pub fn run(&self) -> anyhow::Result<Outcome> {
         let start = Instant::now();
         let (scheme, _) = self.scheme.resolve()?;
-        let Scheme::Loop(weights) = scheme else {
-            bail!(
-                "bound constants are known for --scheme loop only, not for {}",
-                scheme.name()
-            );
-        };
+        let family = self.family(scheme)?;
         if self.scheme.corner.is_some() {
             bail!(
                 "--corner has no meaning for bound constants, which are about interior faces: leave it out"
@@ -126,7 +130,7 @@ impl Bound {
         }
         let progress = Progress::new();
         let rows = tabulate(
-            weights,
+            family,
             &valences,
             &constants,
             self.gap,
@@ -142,7 +146,7 @@ impl Bound {
                 )
             })?;
         }
-        self.print(weights, &rows, start.elapsed().as_secs_f64())?;
+        self.print(family, &rows, start.elapsed().as_secs_f64())?;
         let met = |row: &Row| row.proof.as_ref().is_some_and(|p| p.gap() <= self.gap);
         if rows.iter().all(met) {
             return Ok(Outcome::Done);
@@ -151,6 +155,46 @@ impl Bound {
             "subcert: undecided: some rows miss the gap asked for, but what they say holds; ask for a larger --gap"
         );
         Ok(Outcome::Undecided)
+    }
+
+    /// The scheme with its norm, if the constant is known for them.
+    fn family(&self, scheme: Scheme) -> anyhow::Result<Family> {
+        let norm = self.norm.unwrap_or(Family::default_norm(scheme));
+        let Some(family) = Family::new(scheme, norm) else {
+            let known = match scheme {
+                Scheme::Loop(_) => "second",
+                Scheme::CatmullClark => "second or first",
+                Scheme::DooSabin => "face",
+            };
+            bail!(
+                "--norm {norm} is not known for --scheme {}: write --norm {known}",
+                scheme.name()
+            );
+        };
+        let known: &[ConstantName] = match family {
+            Family::Loop(_) => ConstantName::value_variants(),
+            Family::CatmullClark(_) => &[
+                ConstantName::Rate,
+                ConstantName::MeshRate,
+                ConstantName::Control,
+                ConstantName::Limit,
+            ],
+            Family::DooSabin => &[ConstantName::Rate, ConstantName::Control],
+        };
+        if !known.contains(&self.constant) {
+            let name = |constant: &ConstantName| {
+                let value = constant.to_possible_value();
+                value.map_or_else(String::new, |value| value.get_name().to_string())
+            };
+            let list: Vec<String> = known.iter().map(name).collect();
+            bail!(
+                "{} constants are not known for --scheme {}: ask for one of {}",
+                name(&self.constant),
+                scheme.name(),
+                list.join(", ")
+            );
+        }
+        Ok(family)
     }
 
     fn constants(&self) -> anyhow::Result<Vec<Constant>> {
@@ -184,13 +228,13 @@ impl Bound {
         Ok((level.first..=level.last).map(constant).collect())
     }
 
-    fn print(&self, weights: LoopWeights, rows: &[Row], seconds: f64) -> anyhow::Result<()> {
+    fn print(&self, family: Family, rows: &[Row], seconds: f64) -> anyhow::Result<()> {
         let mut out = std::io::stdout().lock();
         if self.json {
-            serde_json::to_writer_pretty(&mut out, &constants::json(weights, rows, seconds))?;
+            serde_json::to_writer_pretty(&mut out, &constants::json(family, rows, seconds))?;
             writeln!(out)?;
         } else {
-            write!(out, "{}", constants::text(weights, rows, seconds))?;
+            write!(out, "{}", constants::text(family, rows, seconds))?;
         }
         out.flush()?;
         Ok(())

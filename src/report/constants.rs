@@ -7,20 +7,28 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json as object};
 
-use crate::bound::Row;
+use crate::bound::{Family, Norm, Row};
 use crate::mesh::io::write_atomically;
-use crate::scheme::LoopWeights;
 
 /// The longest closed form that a text table shows whole.
 const WIDEST: usize = 60;
 
 /// An aligned table.
-pub fn text(weights: LoopWeights, rows: &[Row], seconds: f64) -> String {
+pub fn text(family: Family, rows: &[Row], seconds: f64) -> String {
     let mut out = String::new();
     let name = rows.first().map_or("", |row| row.constant.name());
+    let scheme = family.scheme();
+    let weights = scheme.weights();
+    let weights = weights.map_or_else(String::new, |weights| format!(", {weights} weights"));
+    let norm = match family.norm() {
+        Norm::Second => "second-order norm",
+        Norm::First => "first-order norm",
+        Norm::Face => "norm of the face",
+    };
     let _ = writeln!(
         out,
-        "loop, {weights} weights, {name} constants, second-order norm (dimensionless)"
+        "{}{weights}, {name} constants, {norm} (dimensionless)",
+        scheme.name()
     );
     let _ = writeln!(
         out,
@@ -53,7 +61,7 @@ pub fn text(weights: LoopWeights, rows: &[Row], seconds: f64) -> String {
 }
 
 /// `{"rows": [{"n", "level", "lo", "hi", "exact", "seconds"}], ..}`; lo and hi read back exactly.
-pub fn json(weights: LoopWeights, rows: &[Row], seconds: f64) -> Value {
+pub fn json(family: Family, rows: &[Row], seconds: f64) -> Value {
     let row = |row: &Row| {
         object!({
             "n": row.n,
@@ -65,10 +73,10 @@ pub fn json(weights: LoopWeights, rows: &[Row], seconds: f64) -> Value {
         })
     };
     object!({
-        "scheme": "loop",
-        "weights": weights.to_string(),
+        "scheme": family.scheme().name(),
+        "weights": family.scheme().weights().map(|weights| weights.to_string()),
         "constant": rows.first().map(|row| row.constant.name()),
-        "norm": "second",
+        "norm": family.norm().name(),
         "rows": rows.iter().map(row).collect::<Vec<_>>(),
         "seconds": seconds,
     })

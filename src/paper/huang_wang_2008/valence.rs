@@ -181,7 +181,7 @@ impl Valence {
             (Some(function), Some(limit)) => one_net_attains(n, function, limit),
             _ => false,
         };
-        let b = &examiner.prover.weight.exact;
+        let b = &examiner.prover.numbers.ring_weight();
         Some(Valence {
             n,
             ring_weight: b.clone() * &Cyclotomic::from_integer(i64::from(n)),

@@ -50,6 +50,10 @@ const OUTER: [(i32, i32); 16] = [
     (-1, 3),
 ];
 
+/// The labels of a regular local net (N = 4) as a 4x4 grid, row by row: element `4 j + i` is i steps
+/// along u and j steps along v from the lower left point, which is `V9`.
+pub const REGULAR_LABELS: [usize; 16] = [9, 8, 7, 13, 2, 1, 6, 12, 3, 4, 5, 11, 16, 15, 14, 10];
+
 /// The number of points of the local net, 2N + 8.
 pub const fn local_net_size(n: u32) -> usize {
     2 * n as usize + 8
@@ -61,7 +65,7 @@ pub const fn extended_net_size(n: u32) -> usize {
 }
 
 /// The label of the ring vertex with cyclic index `i`, reduced to 2..=2N+1.
-fn ring_label(n: u32, i: usize) -> usize {
+pub fn ring_label(n: u32, i: usize) -> usize {
     let len = 2 * n as usize;
     (i + len - 2) % len + 2
 }
@@ -256,4 +260,31 @@ pub fn second_differences(n: u32) -> Vec<IntegerRow> {
     ];
     let outer = outer.map(|(a, b, c)| difference(a, b, c));
     across.chain(around).chain(outer).collect()
+}
+
+/// The 2N + 18 first differences of the local net, each pair of points once.
+///
+/// - `V_i - V1`, i = 2..2N+1: the ring of V1;
+/// - from V6 to 7, 8, 2N+3, 2N+4, 2N+5, 5, 4; from V5 to 4, 2N+2, 2N+3, 2N+4, 2N+6, 2N+7; from V4 to 2, 3,
+///   2N+6, 2N+7, 2N+8.
+///
+/// The first-order norm of a net is the largest norm of these: every point that shares a face with a
+/// corner of the face, less that corner. At N = 3 V8 is V2.
+///
+/// Source: CY (17), (18).
+pub fn first_differences(n: u32) -> Vec<IntegerRow> {
+    let far = 2 * n as usize;
+    let eight = ring_label(n, 8);
+    let from = |center: usize, to: &[usize]| -> Vec<IntegerRow> {
+        let row = |&label: &usize| IntegerRow::new([(label - 1, 1), (center - 1, -1)]);
+        to.iter().map(row).collect()
+    };
+    let ring: Vec<usize> = (2..=far + 1).collect();
+    [
+        from(1, &ring),
+        from(6, &[7, eight, far + 3, far + 4, far + 5, 5, 4]),
+        from(5, &[4, far + 2, far + 3, far + 4, far + 6, far + 7]),
+        from(4, &[2, 3, far + 6, far + 7, far + 8]),
+    ]
+    .concat()
 }

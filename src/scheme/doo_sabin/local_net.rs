@@ -41,7 +41,7 @@ use nalgebra::DMatrix;
 
 use super::{corner_mask, corner_point};
 use crate::scalar::{Field, Module};
-use crate::scheme::{Tile, linear};
+use crate::scheme::{IntegerRow, Tile, linear};
 
 /// The lattice positions of the labels from n+1 on; the first five belong to the local net.
 const OUTER: [(i32, i32); 12] = [
@@ -122,14 +122,25 @@ pub fn refine_local_net<S: Field, V: Module<S>>(n: u32, net: &[V]) -> Option<Vec
 ///
 /// `None` and panics as for [`refine_local_net`], whose result is the first n + 5 points.
 pub fn extended_net<S: Field, V: Module<S>>(n: u32, net: &[V]) -> Option<Vec<V>> {
+    let mask = corner_mask::<S>(n)?;
+    let corner = |face: &[V], at: usize| corner_point(&mask, face, at);
+    Some(extended_net_by::<S, V>(n, net, corner))
+}
+
+/// [`extended_net`] with the n-gon's corners made by `corner(face, index)`: the one rule of the net that
+/// needs a cosine.
+pub fn extended_net_by<S: Field, V: Module<S>>(
+    n: u32,
+    net: &[V],
+    corner: impl Fn(&[V], usize) -> V,
+) -> Vec<V> {
     assert!(n >= 3, "a face has at least 3 corners");
     assert_eq!(net.len(), local_net_size(n), "a local net has n + 5 points");
     let size = n as usize;
-    let extraordinary = corner_mask::<S>(n)?;
-    let regular = corner_mask::<S>(4)?;
+    let regular = corner_mask::<S>(4).expect("the cosines of a quad are rational");
     let face = &net[..size];
     let mut refined = Vec::with_capacity(extended_net_size(n));
-    refined.extend((0..size).map(|corner| corner_point(&extraordinary, face, corner)));
+    refined.extend((0..size).map(|at| corner(face, at)));
     let [g, h, k] = quads(n).map(|quad| quad.map(|label| net[label - 1].clone()));
     // (quad, corner), in the order of OUTER.
     let corners = [
@@ -147,7 +158,7 @@ pub fn extended_net<S: Field, V: Module<S>>(n: u32, net: &[V]) -> Option<Vec<V>>
         (&k, 2),
     ];
     refined.extend(corners.map(|(quad, corner)| corner_point(&regular, quad, corner)));
-    Some(refined)
+    refined
 }
 
 /// The labels in the extended net of a tile's 3x3 grid; order as [`REGULAR_LABELS`].
@@ -184,4 +195,35 @@ pub fn tile_matrix<S: Field>(n: u32, tile: Tile) -> Option<DMatrix<S>> {
         let extended = extended_net::<S, S>(n, net)?;
         Some(tile_net(n, tile, &extended).to_vec())
     })
+}
+
+/// The differences of the local net whose largest is the norm M of a face:
+///
+/// - the six second differences `P_a - 2 P_b + P_c` along lines of the lattice, which pass straight through
+///   vertices of valence 4;
+/// - if n is not 4, all differences `P_j - P_i`, i < j <= n, of the extraordinary face: its diameter.
+///
+/// On the affine image of a regular n-gon (n not 4) S - F is not 0, so M must not be either; and no
+/// integer combination of points vanishes on these nets alone unless n is 3, 4 or 6, since a conjugate
+/// of cos 2π/n would do as well. At n = 4 the six second differences are LN's norm of Theorem 5.
+///
+/// Source: derived here.
+pub fn face_differences(n: u32) -> Vec<IntegerRow> {
+    let size = n as usize;
+    let second = |a: usize, b: usize, c: usize| {
+        IntegerRow::new([(a - 1, 1), (b - 1, -2), (c - 1, 1)])
+    };
+    let mut rows = vec![
+        second(2, 1, size + 4),
+        second(size, 1, size + 2),
+        second(3, 2, size + 1),
+        second(size - 1, size, size + 5),
+        second(size + 1, size + 2, size + 3),
+        second(size + 5, size + 4, size + 3),
+    ];
+    if n != 4 {
+        let pairs = (0..size).flat_map(|i| (i + 1..size).map(move |j| (i, j)));
+        rows.extend(pairs.map(|(i, j)| IntegerRow::new([(j, 1), (i, -1)])));
+    }
+    rows
 }
