@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed, Zero};
 use subcert::bound::face_rate::face_rate;
-use subcert::bound::value::RingWeight;
+use subcert::bound::value::Numbers;
 use subcert::bound::word::Word;
 use subcert::bound::{Against, Constant, Proof, Prover};
 use subcert::scalar::{Cyclotomic, Decide, Field, Rational};
@@ -203,7 +203,7 @@ fn valences_divisible_by_six_are_no_exception() {
 fn the_rate_of_faces_with_several_extraordinary_corners_is_that_of_one() {
     for weights in [Original, Warren] {
         for n in 3..=50 {
-            let weight = RingWeight::new(weights, n);
+            let weight = Numbers::of_loop(weights, n);
             let face = face_rate(&weight).unwrap_or_else(|| panic!("n = {n}"));
             let mut prover = Prover::new(weights, n);
             let rate = prove(&mut prover, Constant::Rate(1))
@@ -278,9 +278,9 @@ fn beta_by_the_papers_method() {
 #[test]
 fn values_are_identities_in_the_ring_weight() {
     use subcert::bound::value::Value;
-    let half = Value::rational(7, &<Rational as Field>::ratio(1, 2));
     for weights in [Original, Warren] {
-        let weight = RingWeight::new(weights, 7);
+        let weight = Numbers::of_loop(weights, 7);
+        let half = weight.constant(&<Rational as Field>::ratio(1, 2));
         assert_eq!(weight.evaluate(&half), ratio(1, 2));
         assert!(weight.at_most(&half, &half));
         let more = half.clone() + &Value::new(vec![<Rational as Field>::ratio(1, 1 << 40)]);

@@ -143,16 +143,25 @@ fn what_makes_no_sense_is_refused_in_one_sentence() {
         "--scheme",
         "loop",
     ];
-    let cases: [&[&str]; 8] = [
-        &with_corner,
-        &[
+    let quads = |constant, scheme, norm| {
+        [
             "bound",
-            "control",
+            constant,
             "--scheme",
-            "catmull-clark",
+            scheme,
             "--valence",
             "5",
-        ],
+            "--norm",
+            norm,
+        ]
+    };
+    let cases: [&[&str]; 12] = [
+        &with_corner,
+        &quads("control", "doo-sabin", "second"),
+        &quads("limit", "doo-sabin", "face"),
+        &quads("control", "catmull-clark", "face"),
+        &quads("beta", "catmull-clark", "second"),
+        &quads("control", "loop", "first"),
         &["bound", "control", "--valence", "2", loop_[0], loop_[1]],
         &["bound", "control", "--valence", "500", loop_[0], loop_[1]],
         &[

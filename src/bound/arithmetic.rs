@@ -22,7 +22,7 @@ pub trait Arithmetic: Sync + Send {
     /// 2 cos(2πm/n) times a functional.
     fn times_two_cos(&self, m: u32, n: u32, functional: &Self::V) -> Self::V;
     /// From q times a functional to the factor times it, q = 3 + 8 n b.
-    fn from_times_q(&self, n: u32, times_q: Self::V) -> Self::V;
+    fn over_q(&self, n: u32, times_q: Self::V) -> Self::V;
     /// The factor times a functional, where the scheme has q.
     fn times_q(&self, n: u32, functional: &Self::V) -> Self::V;
 }
@@ -58,7 +58,7 @@ impl Arithmetic for Floats {
         let cosine = f64::two_cos(m, n).expect("f64 has every cosine");
         functional.clone() * &cosine
     }
-    fn from_times_q(&self, n: u32, times_q: FloatFunctional) -> FloatFunctional {
+    fn over_q(&self, n: u32, times_q: FloatFunctional) -> FloatFunctional {
         times_q * &(1.0 / (3.0 + 8.0 * f64::from(n) * self.weight))
     }
     fn times_q(&self, _n: u32, functional: &FloatFunctional) -> FloatFunctional {
@@ -94,7 +94,7 @@ impl<T: Integer> Arithmetic for Exact<T> {
     fn times_two_cos(&self, m: u32, n: u32, functional: &Self::V) -> Self::V {
         functional.times_two_cos(m, n)
     }
-    fn from_times_q(&self, _n: u32, times_q: Self::V) -> Self::V {
+    fn over_q(&self, _n: u32, times_q: Self::V) -> Self::V {
         times_q
     }
     fn times_q(&self, n: u32, functional: &Self::V) -> Self::V {

@@ -12,11 +12,11 @@ use num_bigint::BigInt;
 
 use super::cell::{self, By};
 use super::constant::{At, Conclusion, Constant, Proof};
+use super::maximum;
 use super::nets::Against;
 use super::part::{CellProof, rationals_near, reasons};
 use super::prover::{Bound, Prover, Target};
 use super::rules::Family;
-use super::maximum;
 use super::shape::Shape;
 use super::tail::{Tail, TailKind};
 use super::value::Value;
@@ -60,8 +60,10 @@ impl Prover {
                 tiles.push(self.tile(Word::zeros(ring).child(letter))?);
             }
         }
-        let maxima: Vec<(f64, [f64; 2])> =
-            tiles.iter().map(|t| maximum::maximise(SHAPE, &t.float)).collect();
+        let maxima: Vec<(f64, [f64; 2])> = tiles
+            .iter()
+            .map(|t| maximum::maximise(SHAPE, &t.float))
+            .collect();
         let best = (0..tiles.len())
             .max_by(|&a, &b| maxima[a].0.total_cmp(&maxima[b].0).then(b.cmp(&a)))?;
         let (word, nets) = (tiles[best].word, tiles[best].bases.clone());
@@ -154,13 +156,7 @@ impl Prover {
     }
 
     /// A reason why a quartic is below a bound, exact; splits it where it must.
-    fn reason(
-        &self,
-        c: &[f64],
-        exact: &[Value],
-        bound: &Bound,
-        depth: usize,
-    ) -> Option<By> {
+    fn reason(&self, c: &[f64], exact: &[Value], bound: &Bound, depth: usize) -> Option<By> {
         let holds = |by: &By| cell::holds(&self.numbers, SHAPE, exact, by, &bound.value);
         if let Some(by) = reasons(SHAPE, c, bound.float).into_iter().find(holds) {
             return Some(by);

@@ -118,7 +118,13 @@ pub fn holds(numbers: &Numbers, shape: Shape, c: &[Value], by: &By, bound: &Valu
             let tangent = |&[x, y]: &[i64; 2]| {
                 origin.clone() + &(gv.clone() * &integer(x)) + &(gw.clone() * &integer(y))
             };
-            inside && concave && shape.corners().iter().map(tangent).all(|value| below(&value))
+            inside
+                && concave
+                && shape
+                    .corners()
+                    .iter()
+                    .map(tangent)
+                    .all(|value| below(&value))
         }
     }
 }

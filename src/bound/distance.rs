@@ -11,13 +11,16 @@ use super::prover::{Bound, Failure, Prover, Target};
 use super::search::Witness;
 use super::tail::{Tail, TailKind};
 use super::value::Value;
+use super::word::LONGEST_WORD;
 use crate::scalar::Rational;
 
 /// Gaps above this are not worth a try for the exact value.
 const COARSE_GAP: f64 = 1e-3;
 
-/// Most steps of an induction or a tail.
-const MOST_STEPS: usize = 12;
+/// Numbers of steps of a tail beyond k. Many are needed where the largest distance is at the
+/// extraordinary corner itself: the excess of the tail over it falls like the second eigenvalue of
+/// frequency 0 (1/2 at Catmull-Clark's N = 11) with each step.
+const STEPS: [usize; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 18, 21, 25];
 
 /// How often the upper bound is raised, by twice as much each time.
 const MOST_FAILURES: i32 = 24;
@@ -111,7 +114,8 @@ impl Prover {
         lemma: &Lemma,
         bound: &Bound,
     ) -> Result<Conclusion, Failure> {
-        for steps in k..=k + MOST_STEPS {
+        let room = LONGEST_WORD - 1 - self.root().len() - lemma.depth;
+        for steps in STEPS.map(|more| k + more).into_iter().filter(|&k| k < room) {
             let tail = Tail {
                 kind: TailKind::Distance(against, k),
                 steps,
@@ -129,7 +133,12 @@ impl Prover {
 
     /// The exact value of a witness and where it is attained, at the simplest parameters near; and
     /// whether these are simple.
-    pub(super) fn lower(&mut self, against: Against, k: usize, best: &Witness) -> (Value, At, bool) {
+    pub(super) fn lower(
+        &mut self,
+        against: Against,
+        k: usize,
+        best: &Witness,
+    ) -> (Value, At, bool) {
         if best.word.is_extraordinary() {
             let value = self.corner_value(against, k, best.net);
             let value = self.absolute(value);
@@ -149,7 +158,8 @@ impl Prover {
             let value = self.absolute(value);
             let better = found.as_ref().is_none_or(|(known, ..)| {
                 // The simple point wins ties.
-                self.numbers.enclose(&value).inf() > self.numbers.enclose(known).sup() * (1.0 + 1e-14)
+                self.numbers.enclose(&value).inf()
+                    > self.numbers.enclose(known).sup() * (1.0 + 1e-14)
             });
             if better {
                 let is_simple = simple(&v) && simple(&w);

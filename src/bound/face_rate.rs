@@ -41,9 +41,9 @@
 use num_bigint::BigInt;
 use num_traits::{ToPrimitive, Zero};
 
+use super::arithmetic::{Arithmetic, Exact};
 use super::cell::exact_weight;
 use super::functional::{ExactFunctional, FloatFunctional};
-use super::arithmetic::{Arithmetic, Exact};
 use super::rules::vertex_point;
 use super::value::{Numbers, Value};
 use crate::lp::Rows;

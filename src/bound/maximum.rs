@@ -68,7 +68,13 @@ pub fn maximise(shape: Shape, c: &[f64]) -> (f64, [f64; 2]) {
     }
     // Newton: the search above stalls at half the digits.
     let near = 1e-3;
-    let margin = [[near, 0.0], [0.0, near], [-near, 0.0], [0.0, -near], [near, near]];
+    let margin = [
+        [near, 0.0],
+        [0.0, near],
+        [-near, 0.0],
+        [0.0, -near],
+        [near, near],
+    ];
     let well_inside = margin
         .iter()
         .all(|[dv, dw]| inside([at[0] + dv, at[1] + dw]));

@@ -5,8 +5,8 @@ use num_traits::Zero;
 
 use super::cell::{self, By};
 use super::functional::FloatFunctional;
-use super::prover::{Bound, Failure, Prover, SLACK, Target};
 use super::maximum;
+use super::prover::{Bound, Failure, Prover, SLACK, Target};
 use super::search::Witness;
 use super::shape::Shape;
 use super::word::{LONGEST_WORD, Word};

@@ -7,10 +7,10 @@ use ethnum::I256;
 use num_bigint::BigInt;
 use num_traits::Zero;
 
+use super::arithmetic::{Arithmetic, Exact, Floats};
 use super::cell;
 use super::constant::Lemma;
 use super::functional::{ExactFunctional, FloatFunctional, Integer};
-use super::arithmetic::{Arithmetic, Exact, Floats};
 use super::nets::{Against, Nets};
 use super::rules::{Family, Rules};
 use super::search::Witness;

@@ -3,9 +3,9 @@
 use num_traits::Zero;
 
 use super::functional::FloatFunctional;
+use super::maximum;
 use super::nets::Against;
 use super::prover::{Prover, Target};
-use super::maximum;
 use super::shape::Shape;
 use super::word::Word;
 

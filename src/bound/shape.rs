@@ -22,7 +22,7 @@ pub enum Shape {
     Biquadratic,
 }
 
-use Shape::{Biquadratic as TwoByTwo, Bicubic as ThreeByThree, Triangle};
+use Shape::{Bicubic as ThreeByThree, Biquadratic as TwoByTwo, Triangle};
 
 /// The corners of the four quarters of the triangle, in halves, by letter.
 const QUARTERS_OF_TRIANGLE: [[[i64; 2]; 3]; 4] = [

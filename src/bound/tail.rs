@@ -1,7 +1,7 @@
 //! The upper side near the extraordinary corner, where S never becomes one polynomial.
 
-use super::cell;
 use super::arithmetic::{Arithmetic, Exact};
+use super::cell;
 use super::functional::Integer;
 use super::nets::{Against, Nets};
 use super::prover::{Bound, Candidate, Prover, SLACK};
@@ -79,7 +79,13 @@ impl Prover {
                 bound,
             )
         } else {
-            tail.holds(&mut self.big, &self.numbers, &self.candidates, &proof, bound)
+            tail.holds(
+                &mut self.big,
+                &self.numbers,
+                &self.candidates,
+                &proof,
+                bound,
+            )
         };
         exact.then_some(proof)
     }

@@ -216,8 +216,9 @@ impl Numbers {
             Kind::Powers { interval, .. } => {
                 (p.iter().rev()).fold(zero, |sum, c| sum * *interval + enclose(c))
             }
-            Kind::Cosines { intervals, .. } => (p.iter().zip(intervals))
-                .fold(zero, |sum, (c, g)| sum + enclose(c) * *g),
+            Kind::Cosines { intervals, .. } => {
+                (p.iter().zip(intervals)).fold(zero, |sum, (c, g)| sum + enclose(c) * *g)
+            }
         }
     }
 

@@ -90,9 +90,8 @@ impl<A: Arithmetic> Rules<A> for Loop {
             .iter()
             .fold(<A::V as Zero>::zero(), |s, &i| s + &net[i - 1]);
         let integer = A::S::from_integer;
-        let times_q =
-            net[0].clone() * &integer(3) + &(arithmetic.times_weight(&sum) * &integer(8));
-        arithmetic.from_times_q(self.n, times_q)
+        let times_q = net[0].clone() * &integer(3) + &(arithmetic.times_weight(&sum) * &integer(8));
+        arithmetic.over_q(self.n, times_q)
     }
 
     fn mesh(&self, arithmetic: &A, net: &Net<A::V>, _letter: u8, against: Against) -> Vec<A::V> {
@@ -111,8 +110,8 @@ impl<A: Arithmetic> Rules<A> for Loop {
                     .expect("the weight of valence 6 is rational");
                 let at = |label: usize| {
                     let ring = loop_scheme::ring(self.n, label).expect("a corner has a ring");
-                    let sum = (ring.iter())
-                        .fold(<A::V as Zero>::zero(), |s, &i| s + &points[i - 1]);
+                    let sum =
+                        (ring.iter()).fold(<A::V as Zero>::zero(), |s, &i| s + &points[i - 1]);
                     scale(&mask.apply_ring(&points[label - 1], &sum))
                 };
                 let corner = Rules::<A>::limit(self, arithmetic, points);

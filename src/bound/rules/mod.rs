@@ -101,9 +101,7 @@ impl Family {
     pub fn new(scheme: Scheme, norm: Norm) -> Option<Self> {
         match (scheme, norm) {
             (Scheme::Loop(weights), Norm::Second) => Some(Family::Loop(weights)),
-            (Scheme::CatmullClark, Norm::Second | Norm::First) => {
-                Some(Family::CatmullClark(norm))
-            }
+            (Scheme::CatmullClark, Norm::Second | Norm::First) => Some(Family::CatmullClark(norm)),
             (Scheme::DooSabin, Norm::Face) => Some(Family::DooSabin),
             _ => None,
         }

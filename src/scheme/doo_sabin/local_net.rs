@@ -210,9 +210,8 @@ pub fn tile_matrix<S: Field>(n: u32, tile: Tile) -> Option<DMatrix<S>> {
 /// Source: derived here.
 pub fn face_differences(n: u32) -> Vec<IntegerRow> {
     let size = n as usize;
-    let second = |a: usize, b: usize, c: usize| {
-        IntegerRow::new([(a - 1, 1), (b - 1, -2), (c - 1, 1)])
-    };
+    let second =
+        |a: usize, b: usize, c: usize| IntegerRow::new([(a - 1, 1), (b - 1, -2), (c - 1, 1)]);
     let mut rows = vec![
         second(2, 1, size + 4),
         second(size, 1, size + 2),
