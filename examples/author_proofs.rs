@@ -11,13 +11,14 @@
 
 use std::error::Error;
 use std::fs;
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use serde_json::{Value, json};
 use subcert::bound::word::Word;
-use subcert::bound::{Against, Constant, Row, tabulate};
+use subcert::bound::{Against, Constant, Family, Norm, Row, tabulate};
 use subcert::report::constants::write_certificates;
-use subcert::scheme::LoopWeights::{self, Original, Warren};
+use subcert::scheme::LoopWeights::{Original, Warren};
 
 const GAP: f64 = 1e-6;
 
@@ -32,8 +33,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     renew(&folder.join("certificates"))?;
-    for weights in [Original, Warren] {
-        let rows = constants(weights, &(3..=50).collect::<Vec<_>>(), &committed());
+    for (family, valences, list) in committed() {
+        let rows = constants(family, &valences.collect::<Vec<_>>(), &list);
         write_certificates(&folder.join("certificates"), &rows)?;
     }
     let deltas: Vec<Constant> = (0..15)
@@ -53,16 +54,36 @@ fn renew(folder: &Path) -> std::io::Result<()> {
     fs::create_dir_all(folder)
 }
 
-fn committed() -> Vec<Constant> {
-    let distances = [Against::Control, Against::Limit].into_iter();
-    let distances = distances.flat_map(|a| (0..=3).map(move |k| Constant::Distance(a, k)));
-    let rates = (1..=3).map(Constant::Rate);
-    let rates = rates.chain((1..=2).map(Constant::MeshRate));
-    distances.chain(rates).chain([Constant::Beta]).collect()
+fn distances(levels: RangeInclusive<usize>) -> impl Iterator<Item = Constant> {
+    let meshes = [Against::Control, Against::Limit].into_iter();
+    meshes.flat_map(move |a| levels.clone().map(move |k| Constant::Distance(a, k)))
 }
 
-fn constants(weights: LoopWeights, valences: &[u32], constants: &[Constant]) -> Vec<Row> {
-    let rows = tabulate(weights, valences, constants, GAP, true, &|_, _| ());
+/// The families with the valences and the constants that are committed; `subcert bound` makes the others.
+fn committed() -> Vec<(Family, RangeInclusive<u32>, Vec<Constant>)> {
+    let rates = || (1..=3).map(Constant::Rate);
+    let mesh_rates = |last| (1..=last).map(Constant::MeshRate);
+    let of_loop: Vec<Constant> = distances(0..=3)
+        .chain(rates())
+        .chain(mesh_rates(2))
+        .chain([Constant::Beta])
+        .collect();
+    let of_quads = |last| -> Vec<Constant> {
+        let distances = distances(0..=last);
+        distances.chain(rates()).chain(mesh_rates(1)).collect()
+    };
+    let faces = (0..=2).map(|k| Constant::Distance(Against::Control, k));
+    vec![
+        (Original.into(), 3..=50, of_loop.clone()),
+        (Warren.into(), 3..=50, of_loop),
+        (Family::CatmullClark(Norm::Second), 3..=50, of_quads(2)),
+        (Family::CatmullClark(Norm::First), 3..=50, of_quads(1)),
+        (Family::DooSabin, 3..=20, faces.chain(rates()).collect()),
+    ]
+}
+
+fn constants(family: impl Into<Family>, valences: &[u32], constants: &[Constant]) -> Vec<Row> {
+    let rows = tabulate(family, valences, constants, GAP, true, &|_, _| ());
     for row in &rows {
         assert!(
             row.proof.is_some(),
@@ -75,8 +96,12 @@ fn constants(weights: LoopWeights, valences: &[u32], constants: &[Constant]) -> 
 }
 
 /// A certificate as JSON.
-fn certificate(weights: LoopWeights, n: u32, constant: Constant) -> Result<Value, Box<dyn Error>> {
-    let rows = constants(weights, &[n], &[constant]);
+fn certificate(
+    family: impl Into<Family>,
+    n: u32,
+    constant: Constant,
+) -> Result<Value, Box<dyn Error>> {
+    let rows = constants(family, &[n], &[constant]);
     let mut text = Vec::new();
     let certificate = rows[0].certificate.as_ref().ok_or("no certificate")?;
     println!("from {}", certificate.file_name().unwrap_or_default());

@@ -133,16 +133,6 @@ fn certificates_are_written_one_for_each_row_and_the_same_every_time() {
 #[test]
 fn what_makes_no_sense_is_refused_in_one_sentence() {
     let loop_ = ["--scheme", "loop"];
-    let with_corner = [
-        "bound",
-        "control",
-        "--valence",
-        "5",
-        "--corner",
-        "sharp",
-        "--scheme",
-        "loop",
-    ];
     let quads = |constant, scheme, norm| {
         [
             "bound",
@@ -155,8 +145,18 @@ fn what_makes_no_sense_is_refused_in_one_sentence() {
             norm,
         ]
     };
-    let cases: [&[&str]; 12] = [
-        &with_corner,
+    let cases: [&[&str]; 15] = [
+        &["bound", "control", "--scheme", "loop"],
+        &quads("control", "cubic-curve", "second"),
+        &["bound", "beta", "--scheme", "cubic-curve"],
+        &[
+            "bound",
+            "rate",
+            "--scheme",
+            "quadratic-curve",
+            "--certificates",
+            "x",
+        ],
         &quads("control", "doo-sabin", "second"),
         &quads("limit", "doo-sabin", "face"),
         &quads("control", "catmull-clark", "face"),
@@ -218,6 +218,8 @@ fn what_makes_no_sense_is_refused_in_one_sentence() {
         ["--gap", "2"],
         ["--gap", "nan"],
         ["--level", "-1"],
+        ["--corner", "sharp"],
+        ["--norm", "third"],
     ] {
         let valence = if wrong[0] == "--valence" {
             vec![]
@@ -232,4 +234,52 @@ fn what_makes_no_sense_is_refused_in_one_sentence() {
         .concat();
         subcert(&arguments).assert().code(2);
     }
+}
+
+/// LN Theorems 1 and 4: 1/6 and 1/8, a quarter of it with each level.
+#[test]
+fn curves_have_closed_forms() {
+    for (scheme, constant, rows) in [
+        ("cubic-curve", "control", ["0  1/6", "1  1/24"]),
+        ("quadratic-curve", "control", ["0  1/8", "1  1/32"]),
+        ("cubic-curve", "limit", ["0  1/8", "1  1/32"]),
+    ] {
+        let arguments = ["bound", constant, "--scheme", scheme, "--level", "0..1"];
+        let assert = subcert(&arguments).assert().success();
+        let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+        for row in rows {
+            assert!(text.contains(row), "{text}");
+        }
+    }
+}
+
+/// Rows of Catmull-Clark are fractions; each of the two norms has its own file names.
+#[test]
+fn rates_of_catmull_clark_are_fractions() {
+    let folder = tempfile::tempdir().unwrap();
+    for norm in ["second", "first"] {
+        let arguments = [
+            "bound",
+            "rate",
+            "--scheme",
+            "catmull-clark",
+            "--valence",
+            "3..5",
+        ];
+        let more = [
+            "--level",
+            "1..3",
+            "--norm",
+            norm,
+            "--certificates",
+            folder.path().to_str().unwrap(),
+        ];
+        let assert = subcert(&[&arguments[..], &more[..]].concat())
+            .assert()
+            .success();
+        let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+        let expected = if norm == "second" { "2/3" } else { "9/16" };
+        assert!(text.contains(expected), "{text}");
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 18);
 }

@@ -41,6 +41,7 @@ pub mod arithmetic;
 mod beta;
 pub mod cell;
 pub mod constant;
+pub mod curve;
 mod distance;
 mod export;
 pub mod face_rate;

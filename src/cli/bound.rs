@@ -7,11 +7,13 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 use clap::ValueEnum;
+use subcert::bound::curve::curve_constant;
 use subcert::bound::{Against, Constant, Family, Norm, Row, tabulate};
 use subcert::report::constants;
-use subcert::scheme::Scheme;
+use subcert::scheme::curve::Degree;
+use subcert::scheme::{LoopWeights, Scheme};
 
-use super::SchemeArguments;
+use super::WeightsName;
 use super::exit::Outcome;
 use super::progress::Progress;
 
@@ -20,7 +22,8 @@ use super::progress::Progress;
 #[command(
     after_help = "Examples:\n  subcert bound limit --scheme loop --valence 3..12 --level 0\n  \
         subcert bound rate --scheme catmull-clark --norm second --valence 3..20 --level 1..3\n  \
-        subcert bound control --scheme doo-sabin --valence 5 --level 0..2 --certificates proofs-of-5\n\n\
+        subcert bound control --scheme doo-sabin --valence 5 --level 0..2 --certificates proofs-of-5\n  \
+        subcert bound control --scheme cubic-curve --level 0..3\n\n\
         Constants are dimensionless: distance over the largest M of some differences of the control points\n\
         of a face with one extraordinary vertex. Norms: second (Loop: mixed second differences of Huang &\n\
         Wang 2008; Catmull-Clark: second differences of Cheng & Yong), first (Catmull-Clark: differences\n\
@@ -34,8 +37,12 @@ pub struct Bound {
     /// Which constant
     #[arg(value_enum)]
     constant: ConstantName,
-    #[command(flatten)]
-    scheme: SchemeArguments,
+    /// The subdivision scheme, or the kind of uniform B-spline curve
+    #[arg(long, value_enum)]
+    scheme: SchemeName,
+    /// Vertex weights of Loop's scheme: those of Loop 1987, or Warren's 3/(8n) [default: original]
+    #[arg(long, value_enum)]
+    weights: Option<WeightsName>,
     /// The norm that constants are relative to: second, first (Catmull-Clark), face (Doo-Sabin)
     /// [default: face for Doo-Sabin, else second]
     #[arg(long, value_name = "NORM")]
@@ -43,7 +50,7 @@ pub struct Bound {
     /// Valence of the extraordinary vertex (Doo-Sabin: sides of the face), or a range: 7 or 3..12
     /// (both ends included)
     #[arg(long, value_name = "A..B")]
-    valence: Range,
+    valence: Option<Range>,
     /// Level, or a range of levels: 0 or 1..3 [default: 0, for rates 1]
     #[arg(long, value_name = "K")]
     level: Option<Range>,
@@ -56,6 +63,23 @@ pub struct Bound {
     /// Print one JSON object
     #[arg(long)]
     json: bool,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum SchemeName {
+    Loop,
+    CatmullClark,
+    DooSabin,
+    /// Cubic curves: Lanquetin & Neveu's Theorem 1
+    CubicCurve,
+    /// Quadratic curves: their Theorem 4
+    QuadraticCurve,
+}
+
+/// What a name of a scheme stands for.
+enum Setting {
+    Mesh(Scheme),
+    Curve(Degree),
 }
 
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,16 +138,17 @@ const HIGHEST_RATE_LEVEL: u32 = 16;
 impl Bound {
     pub fn run(&self) -> anyhow::Result<Outcome> {
         let start = Instant::now();
-        let (scheme, _) = self.scheme.resolve()?;
+        let scheme = match self.setting()? {
+            Setting::Mesh(scheme) => scheme,
+            Setting::Curve(degree) => return self.curve(degree),
+        };
         let family = self.family(scheme)?;
-        if self.scheme.corner.is_some() {
-            bail!(
-                "--corner has no meaning for bound constants, which are about interior faces: leave it out"
-            );
-        }
         let constants = self.constants()?;
-        let valences: Vec<u32> = (self.valence.first..=self.valence.last).collect();
-        if self.valence.first < 3 || self.valence.last > LARGEST_VALENCE {
+        let Some(valence) = self.valence else {
+            bail!("--valence is missing: write one, such as 5, or a range, such as 3..12");
+        };
+        let valences: Vec<u32> = (valence.first..=valence.last).collect();
+        if valence.first < 3 || valence.last > LARGEST_VALENCE {
             bail!(
                 "--valence must lie in 3..{LARGEST_VALENCE}: an interior vertex has at least three faces"
             );
@@ -155,6 +180,57 @@ impl Bound {
             "subcert: undecided: some rows miss the gap asked for, but what they say holds; ask for a larger --gap"
         );
         Ok(Outcome::Undecided)
+    }
+
+    fn setting(&self) -> anyhow::Result<Setting> {
+        if self.weights.is_some() && self.scheme != SchemeName::Loop {
+            bail!("--weights belongs to Loop's scheme: leave it out, or use --scheme loop");
+        }
+        Ok(match (self.scheme, self.weights) {
+            (SchemeName::Loop, Some(WeightsName::Warren)) => {
+                Setting::Mesh(Scheme::Loop(LoopWeights::Warren))
+            }
+            (SchemeName::Loop, _) => Setting::Mesh(Scheme::Loop(LoopWeights::Original)),
+            (SchemeName::CatmullClark, _) => Setting::Mesh(Scheme::CatmullClark),
+            (SchemeName::DooSabin, _) => Setting::Mesh(Scheme::DooSabin),
+            (SchemeName::CubicCurve, _) => Setting::Curve(Degree::Cubic),
+            (SchemeName::QuadraticCurve, _) => Setting::Curve(Degree::Quadratic),
+        })
+    }
+
+    /// Constants of curves: exact, by closed forms that `bound::curve` proves.
+    fn curve(&self, degree: Degree) -> anyhow::Result<Outcome> {
+        if self.valence.is_some() {
+            bail!("--valence has no meaning for curves: leave it out");
+        }
+        if self.norm.is_some_and(|norm| norm != Norm::Second) {
+            bail!("curves are measured by second differences: leave --norm out");
+        }
+        if self.certificates.is_some() {
+            bail!(
+                "there are no certificates for curves, whose constants are closed forms: leave --certificates out"
+            );
+        }
+        let against = match self.constant {
+            ConstantName::Control | ConstantName::Rate => Against::Control,
+            ConstantName::Limit => Against::Limit,
+            ConstantName::MeshRate | ConstantName::Beta => {
+                bail!("for curves ask for one of rate, control, limit")
+            }
+        };
+        let constants = self.constants()?;
+        let constant = curve_constant(degree, against).context("no closed form was found")?;
+        let mut out = std::io::stdout().lock();
+        if self.json {
+            let json = constants::curve_json(degree, &constants, &constant);
+            serde_json::to_writer_pretty(&mut out, &json)?;
+            writeln!(out)?;
+        } else {
+            let text = constants::curve_text(degree, &constants, &constant);
+            write!(out, "{text}")?;
+        }
+        out.flush()?;
+        Ok(Outcome::Done)
     }
 
     /// The scheme with its norm, if the constant is known for them.

@@ -7,8 +7,13 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json as object};
 
-use crate::bound::{Family, Norm, Row};
+use num_traits::One;
+
+use crate::bound::curve::CurveConstant;
+use crate::bound::{Constant, Family, Norm, Row};
 use crate::mesh::io::write_atomically;
+use crate::scalar::Rational;
+use crate::scheme::curve::Degree;
 
 /// The longest closed form that a text table shows whole.
 const WIDEST: usize = 60;
@@ -79,6 +84,61 @@ pub fn json(family: Family, rows: &[Row], seconds: f64) -> Value {
         "norm": family.norm().name(),
         "rows": rows.iter().map(row).collect::<Vec<_>>(),
         "seconds": seconds,
+    })
+}
+
+/// The value of a constant of a curve, and its name.
+fn curve_value(constant: Constant, curve: &CurveConstant) -> Rational {
+    match constant {
+        Constant::Rate(k) => (0..k).fold(Rational::one(), |rate, _| rate * &curve.rate),
+        other => curve.level(other.level()),
+    }
+}
+
+fn curve_name(degree: Degree) -> &'static str {
+    match degree {
+        Degree::Cubic => "cubic-curve",
+        Degree::Quadratic => "quadratic-curve",
+    }
+}
+
+/// An aligned table of a curve's constants, all exact.
+pub fn curve_text(degree: Degree, constants: &[Constant], curve: &CurveConstant) -> String {
+    let mut out = String::new();
+    let name = constants.first().map_or("", Constant::name);
+    let _ = writeln!(
+        out,
+        "{}, {name} constants, second-order norm (dimensionless)",
+        curve_name(degree)
+    );
+    let _ = writeln!(out, "{:>5}  exact", "level");
+    for &constant in constants {
+        let value = curve_value(constant, curve);
+        let _ = writeln!(out, "{:>5}  {value}", constant.level());
+    }
+    if !matches!(constants.first(), Some(Constant::Rate(_))) {
+        let _ = writeln!(
+            out,
+            "attained at parameter {} of an edge (and its mirror image)",
+            curve.at
+        );
+    }
+    out
+}
+
+/// As [`json`], for a curve.
+pub fn curve_json(degree: Degree, constants: &[Constant], curve: &CurveConstant) -> Value {
+    let row = |&constant: &Constant| {
+        object!({
+            "level": constant.level(),
+            "exact": curve_value(constant, curve).to_string(),
+        })
+    };
+    object!({
+        "scheme": curve_name(degree),
+        "constant": constants.first().map(Constant::name),
+        "norm": "second",
+        "rows": constants.iter().map(row).collect::<Vec<_>>(),
     })
 }
 
