@@ -5,7 +5,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use subcert::bound::{Against, Constant, Prover};
+use subcert::bound::{Against, Constant, Family, Norm, Prover};
 use subcert::lp::Rows;
 use subcert::scalar::Rational;
 use subcert::scheme::{LoopWeights, loop_scheme};
@@ -52,9 +52,14 @@ fn constants(c: &mut Criterion) {
             ("B_3", Constant::Distance(Against::Limit, 3)),
             ("r_3", Constant::Rate(3)),
         ] {
+            // A new prover each time: nothing is known beforehand.
+            let prove = |family, n| Prover::new(family, n).prove(constant, 1e-6);
             group.bench_with_input(BenchmarkId::new(name, n), &n, |b, &n| {
-                // A new prover each time: nothing is known beforehand.
-                b.iter(|| Prover::new(LoopWeights::Original, n).prove(constant, 1e-6));
+                b.iter(|| prove(Family::Loop(LoopWeights::Original), n));
+            });
+            let quads = format!("{name} of Catmull-Clark");
+            group.bench_with_input(BenchmarkId::new(quads, n), &n, |b, &n| {
+                b.iter(|| prove(Family::CatmullClark(Norm::Second), n));
             });
         }
     }

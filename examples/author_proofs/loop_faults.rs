@@ -1,124 +1,16 @@
-//! Writes `proofs/certificates` and `proofs/rejected` anew, from the repository's root:
-//!
-//! ```sh
-//! cargo run --release --example author_proofs
-//! ```
-//!
-//! With `-- --only-rejected` the certificates stay as they are.
-//!
-//! The certificates are what `subcert bound` writes for n = 3..50. A rejected file is a certificate with
-//! one fault, named `<rule>-<fault>.json` after the rule that must reject it.
+//! Faults of certificates about Loop's scheme: at least one for each rule.
 
 use std::error::Error;
-use std::fs;
-use std::ops::RangeInclusive;
 use std::path::Path;
 
 use serde_json::{Value, json};
 use subcert::bound::word::Word;
-use subcert::bound::{Against, Constant, Family, Norm, Row, tabulate};
-use subcert::report::constants::write_certificates;
+use subcert::bound::{Against, Constant};
 use subcert::scheme::LoopWeights::{Original, Warren};
 
-const GAP: f64 = 1e-6;
+use super::{certificate, way, write};
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let folder = Path::new("proofs");
-    if !folder.join("FORMAT.md").exists() {
-        return Err("run this from the repository's root".into());
-    }
-    renew(&folder.join("rejected"))?;
-    rejected(&folder.join("rejected"))?;
-    if std::env::args().any(|argument| argument == "--only-rejected") {
-        return Ok(());
-    }
-    renew(&folder.join("certificates"))?;
-    for (family, valences, list) in committed() {
-        let rows = constants(family, &valences.collect::<Vec<_>>(), &list);
-        write_certificates(&folder.join("certificates"), &rows)?;
-    }
-    let deltas: Vec<Constant> = (0..15)
-        .map(|i| Constant::Coefficient(Word::EMPTY, i))
-        .collect();
-    write_certificates(
-        &folder.join("certificates"),
-        &constants(Original, &[6], &deltas),
-    )?;
-    Ok(())
-}
-
-fn renew(folder: &Path) -> std::io::Result<()> {
-    if folder.exists() {
-        fs::remove_dir_all(folder)?;
-    }
-    fs::create_dir_all(folder)
-}
-
-fn distances(levels: RangeInclusive<usize>) -> impl Iterator<Item = Constant> {
-    let meshes = [Against::Control, Against::Limit].into_iter();
-    meshes.flat_map(move |a| levels.clone().map(move |k| Constant::Distance(a, k)))
-}
-
-/// The families with the valences and the constants that are committed; `subcert bound` makes the others.
-fn committed() -> Vec<(Family, RangeInclusive<u32>, Vec<Constant>)> {
-    let rates = || (1..=3).map(Constant::Rate);
-    let mesh_rates = |last| (1..=last).map(Constant::MeshRate);
-    let of_loop: Vec<Constant> = distances(0..=3)
-        .chain(rates())
-        .chain(mesh_rates(2))
-        .chain([Constant::Beta])
-        .collect();
-    let of_quads = |last| -> Vec<Constant> {
-        let distances = distances(0..=last);
-        distances.chain(rates()).chain(mesh_rates(1)).collect()
-    };
-    let faces = (0..=2).map(|k| Constant::Distance(Against::Control, k));
-    vec![
-        (Original.into(), 3..=50, of_loop.clone()),
-        (Warren.into(), 3..=50, of_loop),
-        (Family::CatmullClark(Norm::Second), 3..=50, of_quads(2)),
-        (Family::CatmullClark(Norm::First), 3..=50, of_quads(1)),
-        (Family::DooSabin, 3..=20, faces.chain(rates()).collect()),
-    ]
-}
-
-fn constants(family: impl Into<Family>, valences: &[u32], constants: &[Constant]) -> Vec<Row> {
-    let rows = tabulate(family, valences, constants, GAP, true, &|_, _| ());
-    for row in &rows {
-        assert!(
-            row.proof.is_some(),
-            "no proof of {:?} at {}",
-            row.constant,
-            row.n
-        );
-    }
-    rows
-}
-
-/// A certificate as JSON.
-fn certificate(
-    family: impl Into<Family>,
-    n: u32,
-    constant: Constant,
-) -> Result<Value, Box<dyn Error>> {
-    let rows = constants(family, &[n], &[constant]);
-    let mut text = Vec::new();
-    let certificate = rows[0].certificate.as_ref().ok_or("no certificate")?;
-    println!("from {}", certificate.file_name().unwrap_or_default());
-    certificate.write(&mut text)?;
-    Ok(serde_json::from_slice(&text)?)
-}
-
-/// The first cell of a list whose way has the given name.
-fn way<'a>(cells: &'a mut Value, name: &str) -> Option<&'a mut Value> {
-    let cells = cells.as_array_mut()?;
-    let has = |cell: &&mut Value| cell[2] == name || cell[2][0] == name;
-    cells.iter_mut().find(has)
-}
-
-type Fault = (&'static str, fn(&mut Value));
-
-fn rejected(folder: &Path) -> Result<(), Box<dyn Error>> {
+pub fn write_all(folder: &Path) -> Result<(), Box<dyn Error>> {
     let control = |k| Constant::Distance(Against::Control, k);
     let limit = |k| Constant::Distance(Against::Limit, k);
 
@@ -370,18 +262,5 @@ fn rejected(folder: &Path) -> Result<(), Box<dyn Error>> {
             }),
         ],
     )?;
-    Ok(())
-}
-
-fn write(folder: &Path, certificate: &Value, faults: &[Fault]) -> Result<(), Box<dyn Error>> {
-    for (name, fault) in faults {
-        let mut faulty = certificate.clone();
-        fault(&mut faulty);
-        assert!(&faulty != certificate, "{name} changes nothing");
-        fs::write(
-            folder.join(format!("{name}.json")),
-            serde_json::to_string(&faulty)? + "\n",
-        )?;
-    }
     Ok(())
 }
