@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 use subcert::bound::word::Word;
-use subcert::bound::{Against, Constant, tabulate};
+use subcert::bound::{Against, Constant, Family, Norm, tabulate};
 use subcert::scalar::Rational;
-use subcert::scheme::LoopWeights::{self, Original, Warren};
+use subcert::scheme::LoopWeights::{Original, Warren};
 use subcert_check::check;
 
 fn proofs() -> PathBuf {
@@ -117,6 +117,49 @@ fn fresh_certificates_are_verified() {
     }
 }
 
+/// Catmull-Clark in both norms and Doo-Sabin's faces, regular ones too.
+fn quads() -> Vec<(Family, Vec<u32>, Vec<Constant>)> {
+    let control = |k| Constant::Distance(Against::Control, k);
+    let distances = constants()
+        .into_iter()
+        .filter(|constant| *constant != Constant::Beta)
+        .collect::<Vec<_>>();
+    vec![
+        (
+            Family::CatmullClark(Norm::Second),
+            vec![3, 4, 5, 8, 9],
+            distances.clone(),
+        ),
+        (
+            Family::CatmullClark(Norm::First),
+            vec![3, 4, 5, 8],
+            distances,
+        ),
+        (
+            Family::DooSabin,
+            vec![3, 4, 5, 6, 9],
+            vec![
+                control(0),
+                control(1),
+                control(2),
+                Constant::Rate(1),
+                Constant::Rate(2),
+            ],
+        ),
+    ]
+}
+
+#[test]
+fn fresh_certificates_of_quads_are_verified() {
+    for (family, valences, constants) in quads() {
+        for row in tabulate(family, &valences, &constants, 1e-6, true, &|_, _| ()) {
+            let outcome = check(&bytes(&row)).outcome;
+            let what = format!("{family:?}, {:?} of {}", row.constant, row.n);
+            assert!(outcome.is_ok(), "{what}: {outcome:?}");
+        }
+    }
+}
+
 /// Far above level k most parts are closed by their second differences.
 #[test]
 fn deep_levels_are_verified() {
@@ -125,7 +168,10 @@ fn deep_levels_are_verified() {
         Constant::Distance(Against::Limit, 9),
         Constant::Rate(9),
     ];
-    for row in tabulate(Original, &[5, 8], &constants, 1e-3, true, &|_, _| ()) {
+    let second = Family::CatmullClark(Norm::Second);
+    let of_loop = tabulate(Original, &[5, 8], &constants, 1e-3, true, &|_, _| ());
+    let of_quads = tabulate(second, &[5, 8], &constants, 1e-3, true, &|_, _| ());
+    for row in of_loop.into_iter().chain(of_quads) {
         let outcome = check(&bytes(&row)).outcome;
         assert!(
             outcome.is_ok(),
@@ -244,6 +290,9 @@ fn mutant(text: &str, random: &mut Random) -> String {
                 ("edge", "concave"),
                 ("hull", "regular"),
                 ("null", "\"1/2\""),
+                ("second", "first"),
+                ("first", "second"),
+                ("catmull-clark", "doo-sabin"),
             ];
             let (old, new) = pairs[random.below(pairs.len())];
             text.replacen(old, new, 1)
@@ -254,8 +303,8 @@ fn mutant(text: &str, random: &mut Random) -> String {
 /// The constants that mutants may claim, enclosed by the library.
 struct Truth(HashMap<Constants, Option<(Rational, Rational)>>);
 
-/// Weights, valence, kind, level, coefficient.
-type Constants = (String, u32, String, usize, Option<(Word, usize)>);
+/// Family, valence, kind, level, coefficient.
+type Constants = (Family, u32, String, usize, Option<(Word, usize)>);
 
 impl Truth {
     /// Whether lo <= constant <= hi may hold: not certainly false.
@@ -265,26 +314,29 @@ impl Truth {
         let (lo, hi) = (number("lo"), number("hi"));
         let valence = claim["valence"].as_u64().expect("a number") as u32;
         let level = claim["level"].as_u64().expect("a number") as usize;
-        let weights = match text("weights").as_str() {
-            "original" => Original,
-            _ => Warren,
+        let family = match (text("scheme").as_str(), claim["weights"].as_str()) {
+            ("loop", Some("original")) => Family::Loop(Original),
+            ("loop", Some("warren")) => Family::Loop(Warren),
+            ("catmull-clark", None) => Family::CatmullClark(text("norm").parse().expect("a norm")),
+            ("doo-sabin", None) => Family::DooSabin,
+            other => panic!("no scheme is {other:?}"),
         };
         let at = &claim["at"];
         let coefficient = at["index"].as_u64().map(|index| {
             let word: Word = at["word"].as_str().expect("text").parse().expect("a word");
             (word, index as usize)
         });
-        let key = (text("weights"), valence, text("kind"), level, coefficient);
+        let key = (family, valence, text("kind"), level, coefficient);
         let kind = key.2.clone();
         let known = (self.0.entry(key))
-            .or_insert_with(|| enclose(weights, valence, &kind, level, coefficient));
+            .or_insert_with(|| enclose(family, valence, &kind, level, coefficient));
         let (least, most) = known.as_ref().expect("a constant the library knows");
         lo <= *most && *least <= hi
     }
 }
 
 fn enclose(
-    weights: LoopWeights,
+    family: Family,
     n: u32,
     kind: &str,
     k: usize,
@@ -299,12 +351,54 @@ fn enclose(
         "coefficient" => coefficient.map(|(word, index)| Constant::Coefficient(word, index))?,
         _ => return None,
     };
-    let rows = tabulate(weights, &[n], &[constant], 1e-6, false, &|_, _| ());
+    let rows = tabulate(family, &[n], &[constant], 1e-6, false, &|_, _| ());
     let proof = rows[0].proof.as_ref()?;
     Some((
         Rational::from_float(proof.lo)?,
         Rational::from_float(proof.hi)?,
     ))
+}
+
+/// How many mutants of a certificate were tried and how many verified, each with a claim that may hold.
+fn try_mutants(text: &str, count: usize, random: &mut Random, truth: &mut Truth) -> (usize, usize) {
+    let (mut tried, mut verified) = (0, 0);
+    for _ in 0..count {
+        let mutant = mutant(text, random);
+        if mutant == text {
+            continue;
+        }
+        tried += 1;
+        if check(mutant.as_bytes()).outcome.is_ok() {
+            verified += 1;
+            let file: Value = serde_json::from_str(&mutant).expect("it was read");
+            assert!(
+                truth.allows(&file["claim"]),
+                "verified, but false:\n{mutant}"
+            );
+        }
+    }
+    (tried, verified)
+}
+
+#[test]
+fn mutants_of_quads_are_rejected_or_claim_what_is_true() {
+    let mut random = Random(SEED + 1);
+    let mut truth = Truth(HashMap::new());
+    let (mut tried, mut verified) = (0, 0);
+    for (family, valences, constants) in quads() {
+        for row in tabulate(family, &valences[..3], &constants, 1e-6, true, &|_, _| ()) {
+            let text = String::from_utf8(bytes(&row)).expect("text");
+            let (more, good) = try_mutants(&text, MUTANTS_OF_EACH, &mut random, &mut truth);
+            tried += more;
+            verified += good;
+        }
+    }
+    println!("{tried} mutants, {verified} verified, all of these true");
+    assert!(tried > 5_000, "{tried} mutants");
+    assert!(
+        verified < tried / 4,
+        "{verified} of {tried} mutants verified"
+    );
 }
 
 const SEED: u64 = 20_080_415;
@@ -322,21 +416,9 @@ fn mutants_are_rejected_or_claim_what_is_true() {
         let more = tabulate(weights, &[6], &coefficients, 1e-6, true, &|_, _| ());
         for row in rows.into_iter().chain(more) {
             let text = String::from_utf8(bytes(&row)).expect("text");
-            for _ in 0..MUTANTS_OF_EACH {
-                let mutant = mutant(&text, &mut random);
-                if mutant == text {
-                    continue;
-                }
-                tried += 1;
-                if check(mutant.as_bytes()).outcome.is_ok() {
-                    verified += 1;
-                    let file: Value = serde_json::from_str(&mutant).expect("it was read");
-                    assert!(
-                        truth.allows(&file["claim"]),
-                        "verified, but false:\n{mutant}"
-                    );
-                }
-            }
+            let (more, good) = try_mutants(&text, MUTANTS_OF_EACH, &mut random, &mut truth);
+            tried += more;
+            verified += good;
         }
     }
     println!("{tried} mutants, {verified} verified, all of these true");
