@@ -1,175 +1,119 @@
-//! Cells: a quartic of weights is at most the bound on its triangle, shown in one of four ways.
-
-use std::iter::repeat_n;
+//! Cells: a patch of weights is at most the bound on its domain, shown in one of four ways.
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Signed};
 
 use crate::file::{By, Name, Number};
-use crate::polynomial::Polynomial;
+use crate::patch::{Patch, combine, on_line};
 use crate::rational::{decimal, ratio};
 use crate::reject::{Outcome, Rejection, Rule, ensure};
+use crate::ring::Ring;
+use crate::scalar::Scalar;
 use crate::space::Space;
-use crate::word::{Triangle, barycentric, bernstein, exponents, index, is_in_triangle};
 
 /// The most splits inside each other.
 const SPLITS: usize = 12;
 
-type Bound<'a> = &'a Polynomial;
+/// What is shown: the polynomial with the coefficients `c / q` is at most `bound / q` on the domain of the patch.
+#[derive(Clone, Copy)]
+pub struct Goal<'a> {
+    pub space: &'a Space,
+    pub c: &'a [Scalar],
+    pub bound: &'a Scalar,
+}
 
-/// Shows that the quartic with the coefficients `c / q` is at most `bound / q`.
-///
-/// # Errors
-///
-/// If and only if it is not shown: rule `cell-hull`, `cell-edge`, `cell-concave`, `cell-split` (if
-/// that is what is wrong), for "regular" `cell-regular`, for a way that there is not `format`; or the
-/// work allowed is used up.
-pub fn check(space: &Space, c: &[Polynomial], bound: Bound, by: &By, splits: usize) -> Outcome<()> {
-    let effort = if matches!(by, By::Split(..)) { 4000 } else { 64 };
-    space.charge(effort * c.iter().map(Polynomial::cost).sum::<u64>())?;
-    match by {
-        By::Alone(Name::Hull) => hull(space, c, bound, Rule::CellHull, |_| true),
-        By::Edge(Name::Edge, opposite, Number(s)) => edge(space, c, bound, *opposite, s),
-        By::Concave(Name::Concave, Number(v), Number(w)) => concave(space, c, bound, v, w),
-        By::Split(Name::Split, quarters) => split(space, c, bound, quarters, splits),
-        By::Alone(Name::Regular) => Err(Rejection::new(Rule::CellRegular, "inside a split")),
-        _ => Err(Rejection::new(Rule::Format, "there is no such way to show a cell")),
+impl Goal<'_> {
+    /// Shows it in a way, inside of so many splits.
+    ///
+    /// # Errors
+    ///
+    /// If and only if it is not shown: rule `cell-hull`, `cell-edge`, `cell-concave`, `cell-split` (if that is what is
+    /// wrong), for "regular" `cell-regular`, for a way that there is not `format`; or the work allowed is used up.
+    pub fn check(self, by: &By, splits: usize) -> Outcome<()> {
+        let effort = if matches!(by, By::Split(..)) { 4000 } else { 64 };
+        self.space.charge(effort * self.c.iter().map(Ring::cost).sum::<u64>())?;
+        match by {
+            By::Alone(Name::Hull) => self.hull(Rule::CellHull, &[]),
+            By::Edge(Name::Edge, edge, Number(s)) => self.edge(*edge, s),
+            By::Concave(Name::Concave, Number(v), Number(w)) => {
+                self.concave(&[v.clone(), w.clone()])
+            }
+            By::Split(Name::Split, quarters) => self.split(quarters, splits),
+            By::Alone(Name::Regular) => Err(Rejection::new(Rule::CellRegular, "inside a split")),
+            _ => Err(Rejection::new(Rule::Format, "there is no such way to show a cell")),
+        }
     }
-}
 
-/// The coefficients with these exponents are at most the bound.
-fn hull(
-    space: &Space,
-    c: &[Polynomial],
-    bound: Bound,
-    rule: Rule,
-    these: impl Fn(&[usize; 3]) -> bool,
-) -> Outcome<()> {
-    let these = exponents(4).into_iter().zip(c).enumerate().filter(|(_, (e, _))| these(e));
-    for (i, (_, c)) in these {
-        space.at_most(c, bound, rule, format_args!("coefficient {i}"))?;
+    fn patch(self) -> Patch {
+        self.space.patch()
     }
-    Ok(())
-}
 
-/// `Σ weights_i c_i`.
-fn combine(weights: &[BigRational], c: &[Polynomial]) -> Polynomial {
-    let terms = weights.iter().zip(c).filter(|(x, _)| !x.is_zero()).map(|(x, c)| c.scale(x));
-    terms.fold(Polynomial::integer(0), |sum, term| &sum + &term)
-}
-
-/// `a - x - y + c`.
-fn second(a: &Polynomial, x: &Polynomial, y: &Polynomial, c: &Polynomial) -> Polynomial {
-    &(a + c) - &(x + y)
-}
-
-/// The Bernstein polynomials of a degree on [0, 1] at s: those of the triangle on w = 0.
-fn on_interval(degree: usize, s: &BigRational) -> Vec<BigRational> {
-    let values = bernstein(degree, s, &BigRational::zero());
-    (0..=degree).map(|j| values[index(j, 0)].clone()).collect()
-}
-
-fn edge(
-    space: &Space,
-    c: &[Polynomial],
-    bound: Bound,
-    opposite: usize,
-    s: &BigRational,
-) -> Outcome<()> {
-    let rule = Rule::CellEdge;
-    let valid = opposite < 3 && is_in_triangle(s, &BigRational::zero());
-    ensure!(valid, rule, "there is no such edge, or no such point on it");
-    hull(space, c, bound, rule, |e| e[opposite] > 0)?;
-    let on = |m: usize| match opposite {
-        0 => index(4 - m, m), // from corner 1 to 2
-        1 => index(0, m),     // from corner 0 to 2
-        _ => index(m, 0),     // from corner 0 to 1
-    };
-    let f: Vec<_> = (0..=4).map(|m| c[on(m)].clone()).collect();
-    for three in f.windows(3) {
-        let bend = second(&three[0], &three[1], &three[1], &three[2]);
-        space.at_most(&bend, &Polynomial::integer(0), rule, "a second difference on the edge")?;
+    /// The coefficients other than these are at most the bound.
+    fn hull(self, rule: Rule, but: &[usize]) -> Outcome<()> {
+        for (i, c) in self.c.iter().enumerate().filter(|(i, _)| !but.contains(i)) {
+            self.space.at_most(c, self.bound, rule, format_args!("coefficient {i}"))?;
+        }
+        Ok(())
     }
-    let value = combine(&on_interval(4, s), &f);
-    let steps: Vec<_> = f.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
-    let slope = combine(&on_interval(3, s), &steps).scale(&ratio(4, 1));
-    for end in [0, 1] {
-        let tangent = &value + &slope.scale(&(ratio(end, 1) - s));
-        space.at_most(&tangent, bound, rule, format_args!("the tangent at {end}"))?;
-    }
-    Ok(())
-}
 
-fn concave(
-    space: &Space,
-    c: &[Polynomial],
-    bound: Bound,
-    v: &BigRational,
-    w: &BigRational,
-) -> Outcome<()> {
-    let rule = Rule::CellConcave;
-    ensure!(is_in_triangle(v, w), rule, "the point is not in the triangle");
-    let at = |j: usize, k: usize| &c[index(j, k)];
-    let zero = Polynomial::integer(0);
-    for [_, j, k] in exponents(2) {
-        let aa = second(at(j + 2, k), at(j + 1, k), at(j + 1, k), at(j, k));
-        let bb = second(at(j, k + 2), at(j, k + 1), at(j, k + 1), at(j, k));
-        let ab = second(at(j + 1, k + 1), at(j + 1, k), at(j, k + 1), at(j, k));
-        space.at_most(&aa, &zero, rule, "a second derivative in v")?;
-        space.at_most(&bb, &zero, rule, "a second derivative in w")?;
-        let [square, product] = [&ab * &ab, &aa * &bb];
-        let definite = (&square - &product).is_at_most_zero(&space.beta);
-        let [aa, ab, bb] = [aa, ab, bb].map(|x| decimal(&space.near(&x), 12));
-        ensure!(definite, rule, "second derivatives {aa}, {ab}, {bb}: not shown to be concave");
+    fn edge(self, edge: usize, s: &BigRational) -> Outcome<()> {
+        let (space, rule, patch) = (self.space, Rule::CellEdge, self.patch());
+        let within = !s.is_negative() && s <= &BigRational::one();
+        let missing = || Rejection::new(rule, "there is no such edge, or no such point on it");
+        let edge = patch.edge(edge).filter(|_| within).ok_or_else(missing)?;
+        self.hull(rule, &edge)?;
+        let f: Vec<_> = edge.iter().map(|&i| self.c[i].clone()).collect();
+        for three in f.windows(3) {
+            let bend = &(&three[0] - &three[1]) - &(&three[1] - &three[2]);
+            space.at_most(&bend, &Scalar::integer(0), rule, "a second difference on the edge")?;
+        }
+        let [value, slope] =
+            [0, 1].map(|order| combine(&on_line(patch.degree(), s, order), &f));
+        for end in [0, 1] {
+            let tangent = &value + &slope.scale(&(ratio(end, 1) - s));
+            space.at_most(&tangent, self.bound, rule, format_args!("the tangent at {end}"))?;
+        }
+        Ok(())
     }
-    let value = combine(&bernstein(4, v, w), c);
-    let slope = |step: [usize; 2]| {
-        let rise = |&[_, j, k]: &[usize; 3]| at(j + step[0], k + step[1]) - at(j, k);
-        let rises: Vec<_> = exponents(3).iter().map(rise).collect();
-        combine(&bernstein(3, v, w), &rises).scale(&ratio(4, 1))
-    };
-    let (slope_v, slope_w) = (slope([1, 0]), slope([0, 1]));
-    for (x, y) in [(0, 0), (1, 0), (0, 1)] {
-        let rise = &slope_v.scale(&(ratio(x, 1) - v)) + &slope_w.scale(&(ratio(y, 1) - w));
-        space.at_most(&(&value + &rise), bound, rule, format_args!("the plane at ({x}, {y})"))?;
-    }
-    Ok(())
-}
 
-/// Each quarter in its way.
-fn split(
-    space: &Space,
-    c: &[Polynomial],
-    bound: Bound,
-    quarters: &[By; 4],
-    splits: usize,
-) -> Outcome<()> {
-    let rule = Rule::CellSplit;
-    ensure!(splits < SPLITS, rule, "more than {SPLITS} splits inside each other");
-    for (letter, by) in (0..).zip(quarters) {
-        let inner = |fault: Rejection| {
-            Rejection::new(fault.rule, format!("quarter {letter}: {}", fault.why))
-        };
-        check(space, &restricted(c, letter), bound, by, splits + 1).map_err(inner)?;
+    fn concave(self, point: &[BigRational; 2]) -> Outcome<()> {
+        let (space, rule, patch) = (self.space, Rule::CellConcave, self.patch());
+        ensure!(patch.contains(point), rule, "the point is not in the domain");
+        let zero = Scalar::integer(0);
+        for bend in patch.bends() {
+            let [aa, ab, bb] = bend.map(|weights| combine(&weights, self.c));
+            space.at_most(&aa, &zero, rule, "a second derivative in v")?;
+            space.at_most(&bb, &zero, rule, "a second derivative in w")?;
+            let [square, product] = [space.ring.product(&ab, &ab), space.ring.product(&aa, &bb)];
+            let definite = space.ring.is_at_most_zero(&(&square - &product));
+            let shown = || [&aa, &ab, &bb].map(|x| decimal(&space.near(x), 12)).join(", ");
+            ensure!(definite, rule, "second derivatives {}: not shown to be concave", shown());
+        }
+        let value = combine(&patch.value(point), self.c);
+        let slopes = patch.slopes(point).map(|weights| combine(&weights, self.c));
+        for corner in patch.corners() {
+            let rises = [0, 1].map(|i| slopes[i].scale(&(&corner[i] - &point[i])));
+            let plane = &(&value + &rises[0]) + &rises[1];
+            let name = format_args!("the plane at ({}, {})", corner[0], corner[1]);
+            space.at_most(&plane, self.bound, rule, name)?;
+        }
+        Ok(())
     }
-    Ok(())
-}
 
-/// The coefficients on a quarter: (i, j, k) is the blossom at i, j, k times its corners 0, 1, 2.
-fn restricted(c: &[Polynomial], letter: u8) -> Vec<Polynomial> {
-    let corners = Triangle::of(&[letter]).0.map(|[v, w]| barycentric(&v, &w));
-    // One argument of the blossom, a point with barycentric coordinates, is put in.
-    let put_in = |c: Vec<Polynomial>, (degree, point): (usize, &[BigRational; 3])| {
-        let three = |[_, j, k]: [usize; 3]| {
-            [index(j, k), index(j + 1, k), index(j, k + 1)].map(|i| c[i].clone())
-        };
-        exponents(degree).into_iter().map(|e| combine(point, &three(e))).collect()
-    };
-    let blossom = |times: [usize; 3]| {
-        let points = corners.iter().zip(times).flat_map(|(corner, i)| repeat_n(corner, i));
-        (0..4).rev().zip(points).fold(c.to_vec(), put_in).swap_remove(0)
-    };
-    exponents(4).into_iter().map(blossom).collect()
+    /// Each quarter in its way.
+    fn split(self, quarters: &[By; 4], splits: usize) -> Outcome<()> {
+        let rule = Rule::CellSplit;
+        ensure!(splits < SPLITS, rule, "more than {SPLITS} splits inside each other");
+        for (letter, by) in quarters.iter().enumerate() {
+            let weights = self.patch().restricted(letter);
+            let c: Vec<_> = weights.iter().map(|weights| combine(weights, self.c)).collect();
+            let inner = |fault: Rejection| {
+                Rejection::new(fault.rule, format!("quarter {letter}: {}", fault.why))
+            };
+            Goal { c: &c, ..self }.check(by, splits + 1).map_err(inner)?;
+        }
+        Ok(())
+    }
 }
 
 #[cfg(test)]

@@ -3,21 +3,62 @@
 use num_rational::BigRational;
 
 use crate::covering::text;
-use crate::file::{Claim, Kind, Norm, Scheme, Value, Weights};
+use crate::file::{Claim, Constant, Inequality, Kind, Norm, SchemeName, Setting, Value, Weights};
 use crate::rational::decimal;
 
-/// The claim in words: scheme, weights, valence, level, kind, norm, lo, hi, exact.
+/// The claim in words: scheme, weights, valence; level, kind, norm, lo, hi, exact; or the inequality.
 pub fn in_words(claim: &Claim) -> String {
-    let (n, k) = (claim.valence, claim.level);
-    let (Scheme::Loop, Norm::Second) = (claim.scheme, claim.norm);
-    let weights = match claim.weights {
+    match claim {
+        Claim::Constant(claim) => constant(claim),
+        Claim::Violation(claim) => {
+            let (factor, right) = (number(&claim.factor.0), claim.right.len());
+            let scheme = setting(&claim.setting());
+            format!("{scheme}: the inequality |left| <= {factor} max of {right} |right| is false")
+        }
+        Claim::MeshViolation(claim) => {
+            let (k, weights) = (claim.level, weights(claim.weights));
+            let inequality = match claim.inequality {
+                Inequality::Recurrence => format!("M_{} <= rho M_{k}", k + 1),
+                Inequality::Rate => format!("M_{k} <= rho^{k} M_0"),
+                Inequality::Distance => "|S - F| <= M_0".to_string(),
+            };
+            let (points, faces) = (claim.vertices.len(), claim.faces.len());
+            format!(
+                "Loop, {weights} weights: {inequality} is false for a closed mesh of {points} vertices, {faces} faces"
+            )
+        }
+    }
+}
+
+fn weights(weights: Weights) -> &'static str {
+    match weights {
         Weights::Original => "original",
         Weights::Warren => "Warren's",
+    }
+}
+
+/// The scheme, the weights, the valence.
+fn setting(setting: &Setting) -> String {
+    let n = setting.valence;
+    match (setting.scheme, setting.weights) {
+        (SchemeName::Loop, Some(name)) => format!("Loop, {} weights, valence {n}", weights(name)),
+        (SchemeName::Loop, None) => format!("Loop, valence {n}"),
+        (SchemeName::CatmullClark, _) => format!("Catmull-Clark, valence {n}"),
+        (SchemeName::DooSabin, _) => format!("Doo-Sabin, a face of {n} sides"),
+    }
+}
+
+fn constant(claim: &Constant) -> String {
+    let (n, k, scheme) = (claim.valence, claim.level, setting(&claim.setting()));
+    let norm = match claim.norm {
+        Norm::Second => "second differences",
+        Norm::First => "first differences",
+        Norm::Face => "second differences and the diameter of the face",
     };
     let constant = match (claim.kind, &claim.at) {
         (Kind::Control, _) => format!("distance to the control mesh, C_{k}({n})"),
         (Kind::Limit, _) => format!("distance to the limit mesh, B_{k}({n})"),
-        (Kind::Rate, _) => format!("rate round the extraordinary vertex, r_{k}({n})"),
+        (Kind::Rate, _) => format!("rate round the extraordinary point, r_{k}({n})"),
         (Kind::MeshRate, _) => "rate of the whole mesh".to_string(),
         (Kind::Beta, _) => format!("bound of B_0({n}) by the method of HW"),
         (Kind::Coefficient, Some(at)) => format!(
@@ -37,9 +78,7 @@ pub fn in_words(claim: &Claim) -> String {
         }
     };
     let (lo, hi) = (number(&claim.lo.0), number(&claim.hi.0));
-    format!(
-        "Loop, {weights} weights, valence {n}, level {k}: {constant}, in second differences, is from {lo} to {hi}{exact}"
-    )
+    format!("{scheme}, level {k}: {constant}, in {norm}, is from {lo} to {hi}{exact}")
 }
 
 /// A rational, with decimals if it is not an integer.

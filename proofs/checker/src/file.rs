@@ -1,4 +1,4 @@
-//! The certificate as it is written: section 3 of FORMAT.md.
+//! The certificate as it is written: sections 3 and 7 of FORMAT.md.
 
 use std::ops::RangeInclusive;
 
@@ -8,14 +8,19 @@ use serde::de::{Deserialize, Deserializer, Error};
 
 use crate::rational;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
+use crate::scheme::Mesh;
 
 /// The largest file, in bytes.
 pub const BYTES: usize = 64 << 20;
 /// The most letters of a word, and the most that the depth and the steps of a lemma come to.
 pub const LETTERS: usize = 40;
 const VALENCES: RangeInclusive<usize> = 3..=400;
+/// Of Doo-Sabin, with its n (n - 1)/2 differences and n/2 cosines.
+const SIDES: RangeInclusive<usize> = 3..=64;
 const LEVELS: RangeInclusive<usize> = 0..=24;
 const COEFFICIENTS: RangeInclusive<usize> = 1..=64;
+/// The most forms on the right of an inequality.
+const FORMS: usize = 4096;
 
 /// A rational in its one written form.
 #[derive(Clone, Debug)]
@@ -68,11 +73,13 @@ pub struct File {
     pub steps: Vec<Step>,
 }
 
-/// The one scheme of version 1.
-#[derive(Clone, Copy, Debug, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Scheme {
+/// The schemes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SchemeName {
     Loop,
+    CatmullClark,
+    DooSabin,
 }
 
 /// The variants of Loop's vertex mask.
@@ -83,11 +90,13 @@ pub enum Weights {
     Warren,
 }
 
-/// The one norm of version 1.
-#[derive(Clone, Copy, Debug, serde::Deserialize)]
+/// The norms; `second` is the only one of Loop's scheme, `face` that of Doo-Sabin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Norm {
     Second,
+    First,
+    Face,
 }
 
 /// The kinds of constants.
@@ -102,11 +111,32 @@ pub enum Kind {
     Coefficient,
 }
 
+/// What a file claims; the kinds of the three are different.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(untagged)]
+pub enum Claim {
+    Constant(Constant),
+    Violation(Violation),
+    MeshViolation(MeshViolation),
+}
+
+/// The scheme that a claim is about.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    pub scheme: SchemeName,
+    /// For Loop's scheme.
+    pub weights: Option<Weights>,
+    pub valence: usize,
+}
+
+/// A constant is between lo and hi.
 #[derive(Clone, Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Claim {
-    pub scheme: Scheme,
-    pub weights: Weights,
+pub struct Constant {
+    pub scheme: SchemeName,
+    /// Absent unless the scheme is Loop's.
+    #[serde(default, deserialize_with = "present")]
+    pub weights: Option<Weights>,
     pub valence: usize,
     pub level: usize,
     pub kind: Kind,
@@ -128,6 +158,94 @@ pub struct Coefficient {
     pub index: usize,
 }
 
+/// The kind of [`Violation`].
+#[derive(Clone, Copy, Debug, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum OfNets {
+    Violation,
+}
+
+/// `|left| <= factor max |right_i|` is false.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Violation {
+    pub scheme: SchemeName,
+    /// Absent unless the scheme is Loop's.
+    #[serde(default, deserialize_with = "present")]
+    pub weights: Option<Weights>,
+    pub valence: usize,
+    #[serde(rename = "kind")]
+    _kind: OfNets,
+    pub left: Functional,
+    pub factor: Number,
+    pub right: Vec<Functional>,
+}
+
+/// A linear functional of the first net.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(untagged)]
+pub enum Functional {
+    Terms(Terms),
+    Against(Against),
+}
+
+/// A combination of points of the net of a word, labels from 1.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Terms {
+    pub word: Word,
+    pub terms: Vec<(usize, Number)>,
+}
+
+/// The difference of the surface and a mesh at a point of a word.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Against {
+    pub word: Word,
+    pub against: Mesh,
+    pub level: usize,
+    pub at: (Number, Number),
+}
+
+/// The kind of [`MeshViolation`].
+#[derive(Clone, Copy, Debug, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum OfMeshes {
+    MeshViolation,
+}
+
+/// The one scheme of [`MeshViolation`].
+#[derive(Clone, Copy, Debug, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LoopOnly {
+    Loop,
+}
+
+/// An inequality is false for a closed mesh.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MeshViolation {
+    #[serde(rename = "scheme")]
+    _scheme: LoopOnly,
+    pub weights: Weights,
+    #[serde(rename = "kind")]
+    _kind: OfMeshes,
+    pub inequality: Inequality,
+    pub level: usize,
+    pub vertices: Vec<[Number; 3]>,
+    /// Vertices from 1.
+    pub faces: Vec<[usize; 3]>,
+}
+
+/// The inequalities about meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Inequality {
+    Recurrence,
+    Rate,
+    Distance,
+}
+
 #[derive(Debug, serde::Deserialize)]
 #[serde(tag = "rule", rename_all = "kebab-case")]
 pub enum Step {
@@ -139,6 +257,10 @@ pub enum Step {
     Apply(Apply),
     Differences(Differences),
     Weight(Weight),
+    Violated(Violated),
+    Recurrence(Nothing),
+    Rate(Nothing),
+    Distance(Distance),
 }
 
 #[derive(Debug, serde::Deserialize)]
@@ -229,15 +351,32 @@ pub struct Weight {
     pub basis: Cite,
 }
 
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Violated {
+    pub net: Vec<Number>,
+}
+
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Nothing {}
+
+/// An edge, its vertices from 1.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Distance {
+    pub edge: [usize; 2],
+}
+
 /// A regular word, its bases, and how it is shown.
 pub type Cell = (Word, Bases, By);
 
-/// One basis for all fifteen functionals of a cell, or one for each.
+/// One basis for all functionals of a cell, or one for each.
 #[derive(Debug, serde::Deserialize)]
 #[serde(untagged)]
 pub enum Bases {
     One(Cite),
-    Each([Cite; 15]),
+    Each(Vec<Cite>),
 }
 
 /// How a cell is shown; whether the name is that of the form, `cells` finds out.
@@ -278,24 +417,84 @@ fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Optiona
 ///
 /// If and only if the text is not a certificate of version 1 within the limits: rule `format`.
 pub fn read(bytes: &[u8]) -> Outcome<File> {
-    ensure!(bytes.len() <= BYTES, Rule::Format, "the file has more than 64 MiB");
-    let wrong = |error: serde_json::Error| Rejection::new(Rule::Format, error.to_string());
+    let rule = Rule::Format;
+    ensure!(bytes.len() <= BYTES, rule, "the file has more than 64 MiB");
+    let wrong = |error: serde_json::Error| Rejection::new(rule, error.to_string());
     let file: File = serde_json::from_slice(bytes).map_err(wrong)?;
     let known = file.format == "subcert" && file.version == 1;
-    ensure!(known, Rule::Format, "not format \"subcert\", version 1");
-    let (n, level) = (file.claim.valence, file.claim.level);
-    ensure!(VALENCES.contains(&n), Rule::Format, "the valence is not within {VALENCES:?}");
-    ensure!(LEVELS.contains(&level), Rule::Format, "the level is not within {LEVELS:?}");
-    let bounds = file.steps.iter().filter_map(|step| match step {
-        Step::Lemma(lemma) => Some(&lemma.bound),
-        _ => None,
-    });
-    for value in file.claim.exact.iter().chain(bounds) {
-        if let Value::OverQ(list) = value {
-            let ends = list.last().is_some_and(|last| !last.0.is_zero());
-            let whole = ends && COEFFICIENTS.contains(&list.len());
-            ensure!(whole, Rule::Format, "a list of coefficients ends with \"0\" or is too long");
+    ensure!(known, rule, "not format \"subcert\", version 1");
+    match &file.claim {
+        Claim::Constant(claim) => {
+            claim.setting().check()?;
+            level(claim.level)?;
+            ensure!(claim.fits(), rule, "the scheme has no such kind or norm");
+            let bounds = file.steps.iter().filter_map(|step| match step {
+                Step::Lemma(lemma) => Some(&lemma.bound),
+                _ => None,
+            });
+            for value in claim.exact.iter().chain(bounds) {
+                if let Value::OverQ(list) = value {
+                    let ends = list.last().is_some_and(|last| !last.0.is_zero());
+                    let whole = ends && COEFFICIENTS.contains(&list.len());
+                    ensure!(whole, rule, "a list of coefficients ends with \"0\" or is too long");
+                    let polynomials = claim.scheme == SchemeName::Loop;
+                    ensure!(polynomials, rule, "the values of this scheme are rationals");
+                }
+            }
         }
+        Claim::Violation(claim) => {
+            claim.setting().check()?;
+            ensure!(claim.right.len() <= FORMS, rule, "more than {FORMS} forms");
+            for form in claim.right.iter().chain([&claim.left]) {
+                if let Functional::Against(form) = form {
+                    level(form.level)?;
+                    let missing = form.against == Mesh::Limit && claim.scheme == SchemeName::DooSabin;
+                    ensure!(!missing, rule, "the scheme has no such mesh");
+                }
+            }
+        }
+        Claim::MeshViolation(claim) => level(claim.level)?,
     }
     Ok(file)
+}
+
+fn level(level: usize) -> Outcome<()> {
+    ensure!(LEVELS.contains(&level), Rule::Format, "the level is not within {LEVELS:?}");
+    Ok(())
+}
+
+impl Setting {
+    fn check(&self) -> Outcome<()> {
+        let range = if self.scheme == SchemeName::DooSabin { SIDES } else { VALENCES };
+        let within = range.contains(&self.valence);
+        ensure!(within, Rule::Format, "the valence is not within {range:?}");
+        let weights = self.weights.is_some() == (self.scheme == SchemeName::Loop);
+        ensure!(weights, Rule::Format, "\"weights\" are for Loop's scheme and needed there");
+        Ok(())
+    }
+}
+
+impl Constant {
+    pub fn setting(&self) -> Setting {
+        Setting { scheme: self.scheme, weights: self.weights, valence: self.valence }
+    }
+
+    /// True if the scheme has the norm and the kind.
+    fn fits(&self) -> bool {
+        use Kind::{Control, Limit, MeshRate, Rate};
+        match (self.scheme, self.norm) {
+            (SchemeName::Loop, Norm::Second) => true,
+            (SchemeName::CatmullClark, Norm::Second | Norm::First) => {
+                matches!(self.kind, Control | Limit | Rate | MeshRate)
+            }
+            (SchemeName::DooSabin, Norm::Face) => matches!(self.kind, Control | Rate),
+            _ => false,
+        }
+    }
+}
+
+impl Violation {
+    pub fn setting(&self) -> Setting {
+        Setting { scheme: self.scheme, weights: self.weights, valence: self.valence }
+    }
 }
