@@ -55,10 +55,11 @@ fn constant(claim: &Constant) -> String {
         Norm::First => "first differences",
         Norm::Face => "second differences and the diameter of the face",
     };
+    let centre = if claim.scheme == SchemeName::DooSabin { "face" } else { "vertex" };
     let constant = match (claim.kind, &claim.at) {
         (Kind::Control, _) => format!("distance to the control mesh, C_{k}({n})"),
         (Kind::Limit, _) => format!("distance to the limit mesh, B_{k}({n})"),
-        (Kind::Rate, _) => format!("rate round the extraordinary point, r_{k}({n})"),
+        (Kind::Rate, _) => format!("rate round the extraordinary {centre}, r_{k}({n})"),
         (Kind::MeshRate, _) => "rate of the whole mesh".to_string(),
         (Kind::Beta, _) => format!("bound of B_0({n}) by the method of HW"),
         (Kind::Coefficient, Some(at)) => format!(

@@ -4,7 +4,8 @@ use std::ops::RangeInclusive;
 
 use num_rational::BigRational;
 use num_traits::Zero;
-use serde::de::{Deserialize, Deserializer, Error};
+use serde::de::{Deserialize, Deserializer, Error, IgnoredAny};
+use serde_json::value::RawValue;
 
 use crate::rational;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
@@ -65,6 +66,7 @@ pub type Cite = usize;
 pub struct File {
     format: String,
     version: u32,
+    #[serde(deserialize_with = "by_kind")]
     pub claim: Claim,
     #[serde(deserialize_with = "nullable")]
     pub cosine: Option<(Number, Number)>,
@@ -111,9 +113,8 @@ pub enum Kind {
     Coefficient,
 }
 
-/// What a file claims; the kinds of the three are different.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(untagged)]
+/// What a file claims, by its kind.
+#[derive(Clone, Debug)]
 pub enum Claim {
     Constant(Constant),
     Violation(Violation),
@@ -158,13 +159,6 @@ pub struct Coefficient {
     pub index: usize,
 }
 
-/// The kind of [`Violation`].
-#[derive(Clone, Copy, Debug, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum OfNets {
-    Violation,
-}
-
 /// `|left| <= factor max |right_i|` is false.
 #[derive(Clone, Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -175,7 +169,7 @@ pub struct Violation {
     pub weights: Option<Weights>,
     pub valence: usize,
     #[serde(rename = "kind")]
-    _kind: OfNets,
+    _kind: IgnoredAny,
     pub left: Functional,
     pub factor: Number,
     pub right: Vec<Functional>,
@@ -207,13 +201,6 @@ pub struct Against {
     pub at: (Number, Number),
 }
 
-/// The kind of [`MeshViolation`].
-#[derive(Clone, Copy, Debug, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum OfMeshes {
-    MeshViolation,
-}
-
 /// The one scheme of [`MeshViolation`].
 #[derive(Clone, Copy, Debug, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -229,7 +216,7 @@ pub struct MeshViolation {
     _scheme: LoopOnly,
     pub weights: Weights,
     #[serde(rename = "kind")]
-    _kind: OfMeshes,
+    _kind: IgnoredAny,
     pub inequality: Inequality,
     pub level: usize,
     pub vertices: Vec<[Number; 3]>,
@@ -409,6 +396,24 @@ fn nullable<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Option
 /// A field that may be absent, with null not allowed.
 fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Optional<T, D::Error> {
     T::deserialize(source).map(Some)
+}
+
+/// A claim, with the fields of its kind.
+fn by_kind<'de, D: Deserializer<'de>>(source: D) -> Result<Claim, D::Error> {
+    #[derive(serde::Deserialize)]
+    struct Named {
+        kind: String,
+    }
+    fn read<'a, T: Deserialize<'a>>(text: &'a str) -> serde_json::Result<T> {
+        serde_json::from_str(text)
+    }
+    let text = <&RawValue>::deserialize(source)?.get();
+    let claim = read::<Named>(text).and_then(|named| match &named.kind[..] {
+        "violation" => read(text).map(Claim::Violation),
+        "mesh-violation" => read(text).map(Claim::MeshViolation),
+        _ => read(text).map(Claim::Constant),
+    });
+    claim.map_err(|error| D::Error::custom(format!("in the claim: {error}")))
 }
 
 /// Reads a certificate and checks its form and sizes.

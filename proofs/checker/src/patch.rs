@@ -63,7 +63,8 @@ fn blossom(points: &[[BigRational; 3]]) -> Weights {
     for (degree, point) in points.iter().enumerate() {
         let mut product = vec![BigRational::zero(); weights.len() + degree + 2];
         for ([_, j, k], weight) in exponents(degree).into_iter().zip(&weights) {
-            for (at, x) in [index(j, k), index(j + 1, k), index(j, k + 1)].into_iter().zip(point) {
+            let places = [index(j, k), index(j + 1, k), index(j, k + 1)].into_iter().zip(point);
+            for (at, x) in places.filter(|(_, x)| !x.is_zero() && !weight.is_zero()) {
                 product[at] += weight * x;
             }
         }

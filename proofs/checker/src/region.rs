@@ -14,7 +14,7 @@ use crate::proof::{Proof, is_in_mesh, target};
 use crate::rational::ratio;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::scalar::Scalar;
-use crate::target::{Target, subtract};
+use crate::target::Target;
 use crate::word::is_tile;
 
 /// What the cells of a step prove: `target` (or, with a corner, its rest divided by the distance from it)
@@ -51,13 +51,12 @@ impl Proof<'_> {
         vec![0; count + self.space.scheme.root()]
     }
 
-    /// The corners of the word of J zeros in the parameters of the root, scaled by 2^-K; without the last corner, which
-    /// is the mirror image of number 1.
-    fn corners(&self, depth: usize, steps: usize) -> Vec<Point> {
+    /// The corners of the word of J zeros in the parameters of the root, without the last, which is the mirror image of
+    /// number 1.
+    fn corners(&self, depth: usize) -> Vec<Point> {
         let mut corners = self.space.patch().corners();
         corners.pop();
-        let scale = half(depth) * half(steps);
-        corners.into_iter().map(|point| point.map(|x| x * &scale)).collect()
+        corners.into_iter().map(|point| point.map(|x| x * half(depth))).collect()
     }
 
     /// `‖S - F_0‖ <= bound` over the word of J zeros.
@@ -85,10 +84,13 @@ impl Proof<'_> {
         // L_c = F_0(u)(A^K y) - F_0(2^-K u)(y) at the corners u of the region.
         let nets = path.along(&vec![0; step.steps])?;
         let last = &nets[step.steps];
-        let after = target.mesh_at(space, &nets[step.steps..], &root, &self.corners(depth, 0))?;
-        let before = target.mesh_at(space, nets, &root, &self.corners(depth, step.steps))?;
-        let pairs = after.iter().zip(&before);
-        let mut forms: Vec<_> = pairs.map(|(after, before)| subtract(space, after, before)).collect();
+        let before = target.mesh(space, nets, &root)?;
+        let after = target.mesh(space, &nets[step.steps..], &root)?;
+        let displacement = |point: &Point| {
+            let image = point.each_ref().map(|x| x * half(step.steps));
+            before.below(&after.at(point), &image)
+        };
+        let mut forms: Vec<_> = self.corners(depth).iter().map(displacement).collect();
         let mut grow = BigRational::one();
         if let Some(t_0) = &corner {
             // 2^K ((L_c - (1 - mu) L_0)/mu - (1 - 2^-K) t_0) at the other corners, mu their distance.
@@ -127,11 +129,10 @@ impl Proof<'_> {
         // L_c = F_K - F_k, F_K the control mesh, at the corners of the word of the tail.
         let mut path = Path::new(space);
         let nets = path.along(&vec![0; step.steps])?;
-        let corners = self.corners(lemma.depth, 0);
-        let control = Target::FIRST.mesh_at(space, &nets[step.steps..], &self.zeros(0), &corners)?;
-        let mesh = target.mesh_at(space, nets, &self.zeros(step.steps), &corners)?;
-        let pairs = control.iter().zip(&mesh);
-        let forms = pairs.map(|(control, mesh)| subtract(space, control, mesh)).collect();
+        let control = Target::FIRST.mesh(space, &nets[step.steps..], &self.zeros(0))?;
+        let mesh = target.mesh(space, nets, &self.zeros(step.steps))?;
+        let displacement = |point: &Point| mesh.below(&control.at(point), point);
+        let forms = self.corners(lemma.depth).iter().map(displacement).collect();
         let (factor, net) = (&space.value(&lemma.bound), &nets[step.steps]);
         self.tail(&step.tail, &Ending { forms, factor, net, bound })
     }
@@ -209,19 +210,21 @@ impl Proof<'_> {
         let (space, rule) = (self.space, Rule::Tail);
         let (count, given) = (ending.forms.len(), tail.len());
         ensure!(count == given, rule, "{given} entries, not {count}");
+        let count = space.rows.len();
+        for given in tail.iter().flat_map(|(plus, minus)| [plus.len(), minus.len()]) {
+            ensure!(count == given, rule, "{given} bases for {count} differences");
+        }
         let one = Scalar::integer(1);
-        for (c, (form, (plus, minus))) in ending.forms.iter().zip(tail).enumerate() {
-            for (s, bases) in [(1, plus), (-1, minus)] {
-                let (count, given) = (space.rows.len(), bases.len());
-                ensure!(count == given, rule, "{given} bases for {count} differences");
-                let factor = ending.factor.scale(&ratio(s, 1));
-                for (l, (row, &cite)) in space.rows.iter().zip(bases).enumerate() {
-                    let difference = ending.net.difference(row);
-                    space.charge(8 * difference.cost() * factor.num.len() as u64)?;
-                    let terms = [(&one, form), (&factor, &difference)];
-                    let weight = self.weight(cite, &Form::sum(&space.ring, space.size, &terms))?;
+        let factors = [ratio(1, 1), ratio(-1, 1)].map(|s| ending.factor.scale(&s));
+        for (l, row) in space.rows.iter().enumerate() {
+            let difference = ending.net.difference(row);
+            for (c, (form, (plus, minus))) in ending.forms.iter().zip(tail).enumerate() {
+                for (factor, (s, bases)) in factors.iter().zip([("+1", plus), ("-1", minus)]) {
+                    space.charge(4 * difference.cost() * factor.num.len() as u64)?;
+                    let terms = [(&one, form), (factor, &difference)];
+                    let form = Form::sum(&space.ring, space.size, &terms);
                     let name = format_args!("entry {c}, s = {s}, difference {}", l + 1);
-                    space.at_most(&weight, ending.bound, rule, name)?;
+                    space.at_most(&self.weight(bases[l], &form)?, ending.bound, rule, name)?;
                 }
             }
         }

@@ -16,7 +16,7 @@ use crate::rational::contrast;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::ring::Ring;
 use crate::scalar::Scalar;
-use crate::scheme::{Row, Scheme};
+use crate::scheme::{Mask, Row, Scheme};
 
 /// Elementary operations allowed for one file: a few minutes.
 const WORK: u64 = 20_000_000_000;
@@ -32,6 +32,8 @@ pub struct Space {
     beta: Scalar,
     /// What every target is times: 3 + 8 beta for Loop's scheme, 1 for the others.
     pub q: Scalar,
+    /// q times the Bernstein coefficients of S over a regular net.
+    pub surface: Vec<Mask>,
     /// The differences of the first net.
     pub rows: Vec<Row>,
     /// The differences of a regular net.
@@ -90,9 +92,9 @@ impl Space {
     /// The setting of a scheme with a valence, over a ring.
     pub fn of(scheme: Box<dyn Scheme>, n: usize, ring: Ring, beta: Scalar, q: Scalar) -> Self {
         let (size, rows) = (scheme.size(n), scheme.differences(n));
-        let regular_rows = scheme.differences(scheme.regular());
+        let (surface, regular_rows) = (scheme.surface(), scheme.differences(scheme.regular()));
         let (rank, work) = (basis::rank(&rows, size), Cell::new(WORK));
-        Self { scheme, n, size, ring, beta, q, rows, regular_rows, rank, work }
+        Self { scheme, n, size, ring, beta, q, surface, rows, regular_rows, rank, work }
     }
 
     /// The valence of the net of a word.

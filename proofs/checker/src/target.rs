@@ -3,7 +3,7 @@
 
 use crate::form::Form;
 use crate::net::{Net, Path};
-use crate::patch::Point;
+use crate::patch::{Part, Patch, Point};
 use crate::rational::ratio;
 use crate::reject::{Outcome, Rejection, Rule};
 use crate::scheme::Mesh;
@@ -19,37 +19,47 @@ pub struct Target {
     pub level: usize,
 }
 
+/// q times F_k over a word of at least k letters and the root's.
+pub struct Flat {
+    /// The values at the corners of the word's first k letters and the root's.
+    corners: Vec<Form>,
+    patch: Patch,
+    /// The word in the parameters of those.
+    part: Part,
+}
+
+impl Flat {
+    /// F_k at a point of the word.
+    pub fn at(&self, point: &Point) -> Form {
+        let weights = self.patch.blend(&self.part.point(point)).into_iter();
+        Form::mix(self.corners[0].size(), &weights.zip(&self.corners).collect::<Vec<_>>())
+    }
+
+    /// `form - F_k` at a point of the word.
+    pub fn below(&self, form: &Form, point: &Point) -> Form {
+        let weights = self.patch.blend(&self.part.point(point));
+        let mesh = weights.into_iter().map(|x| -x).zip(&self.corners);
+        let terms: Vec<_> = mesh.chain([(ratio(1, 1), form)]).collect();
+        Form::mix(self.corners[0].size(), &terms)
+    }
+}
+
 impl Target {
     /// `S - F_0`, F_0 the control mesh: what lemmas are about.
     pub const FIRST: Self = Self { mesh: Mesh::Control, level: 0 };
 
-    /// q times F_0 at the corners of the word of a net (and the letters of the root, rest).
-    fn corners(self, space: &Space, net: &Net, rest: &[u8]) -> Outcome<Vec<Form>> {
-        let missing = || Rejection::new(Rule::Format, "the scheme has no such mesh");
-        let masks = space.scheme.mesh(self.mesh, net.valence, rest).ok_or_else(missing)?;
-        Ok(masks.iter().map(|mask| net.apply(space, mask)).collect())
-    }
-
-    /// q times F_k at points of a word of at least k letters and the root's, from the nets along it.
+    /// q times F_k over a word of at least k letters and the root's, from the nets along it.
     ///
     /// # Errors
     ///
     /// If and only if there is no such mesh: rule `format`.
-    pub fn mesh_at(
-        self,
-        space: &Space,
-        nets: &[Net],
-        word: &[u8],
-        points: &[Point],
-    ) -> Outcome<Vec<Form>> {
+    pub fn mesh(self, space: &Space, nets: &[Net], word: &[u8]) -> Outcome<Flat> {
         let (k, whole) = (self.level, self.level + space.scheme.root());
-        let corners = self.corners(space, &nets[k], &word[k..whole])?;
-        let part = space.patch().part(&word[whole..]);
-        let at = |point| {
-            let weights = space.patch().blend(&part.point(point));
-            Form::mix(space.size, &weights.into_iter().zip(&corners).collect::<Vec<_>>())
-        };
-        Ok(points.iter().map(at).collect())
+        let missing = || Rejection::new(Rule::Format, "the scheme has no such mesh");
+        let (net, rest) = (&nets[k], &word[k..whole]);
+        let masks = space.scheme.mesh(self.mesh, net.valence, rest).ok_or_else(missing)?;
+        let (corners, patch) = (masks.iter().map(|mask| net.apply(space, mask)), space.patch());
+        Ok(Flat { corners: corners.collect(), patch, part: patch.part(&word[whole..]) })
     }
 
     /// q times the Bernstein coefficients over a regular word of at least k letters and the root's.
@@ -62,9 +72,9 @@ impl Target {
         let net = &nets[word.len()];
         let nodes = space.patch().nodes();
         space.charge(20 * nodes.len() as u64 * net.cost())?;
-        let mesh = self.mesh_at(space, nets, word, &nodes)?;
-        let rest = |(mask, mesh)| subtract(space, &net.apply(space, mask), mesh);
-        Ok(space.scheme.surface().iter().zip(&mesh).map(rest).collect())
+        let mesh = self.mesh(space, nets, word)?;
+        let rest = |(mask, node)| mesh.below(&net.apply(space, mask), node);
+        Ok(space.surface.iter().zip(&nodes).map(rest).collect())
     }
 
     /// q times the target at a point of a word: any point of a regular one, the corner 0 of another.
@@ -87,12 +97,6 @@ impl Target {
         let nets = path.along(word)?;
         let net = &nets[word.len()];
         let surface = net.apply(space, &space.scheme.limit(net.valence));
-        let mesh = self.mesh_at(space, nets, word, std::slice::from_ref(point))?;
-        Ok(mesh.iter().fold(surface, |surface, mesh| subtract(space, &surface, mesh)))
+        Ok(self.mesh(space, nets, word)?.below(&surface, point))
     }
-}
-
-/// `a - b`.
-pub fn subtract(space: &Space, a: &Form, b: &Form) -> Form {
-    Form::mix(space.size, &[(ratio(1, 1), a), (ratio(-1, 1), b)])
 }
