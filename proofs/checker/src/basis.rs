@@ -318,7 +318,11 @@ mod tests {
         // beta alpha_5 - (3/8 - beta) alpha_6: the second is within 1/8, of either sign.
         let (first, second) =
             (Scalar::generator(1), &Scalar::generator(1) - &Scalar::constant(&ratio(3, 8)));
-        let form = Form::sum(&space.ring, space.size, &[(&first, &differences[4]), (&second, &differences[5])]);
+        let form = Form::sum(
+            &space.ring,
+            space.size,
+            &[(&first, &differences[4]), (&second, &differences[5])],
+        );
         let weight = basis.weight(&space, &form).unwrap();
         assert!((&weight - &(&first + &Scalar::constant(&ratio(1, 8)))).is_zero());
     }

@@ -67,8 +67,7 @@ impl Goal<'_> {
             let bend = &(&three[0] - &three[1]) - &(&three[1] - &three[2]);
             space.at_most(&bend, &Scalar::integer(0), rule, "a second difference on the edge")?;
         }
-        let [value, slope] =
-            [0, 1].map(|order| combine(&on_line(patch.degree(), s, order), &f));
+        let [value, slope] = [0, 1].map(|order| combine(&on_line(patch.degree(), s, order), &f));
         for end in [0, 1] {
             let tangent = &value + &slope.scale(&(ratio(end, 1) - s));
             space.at_most(&tangent, self.bound, rule, format_args!("the tangent at {end}"))?;
@@ -119,61 +118,80 @@ impl Goal<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cosine::rational_beta;
-    use crate::file::{Number, Weights};
-    use crate::polynomial::Beta;
+    use crate::catmull_clark::CatmullClark;
+    use crate::file::Norm;
+    use crate::loop_scheme::Loop;
 
-    /// The coefficients of `x0 + a v + b w + p v^2 + 2 h v w + r w^2`, raised to degree 4.
-    fn quartic([x0, a, b, p, h, r]: [i64; 6]) -> Vec<Polynomial> {
-        let blossom = |j: usize, k: usize| {
-            let (j, k) = (j as i64, k as i64);
-            let second = p * j * (j - 1) + 2 * h * j * k + r * k * (k - 1);
-            ratio(x0, 1) + ratio(a * j + b * k, 4) + ratio(second, 12)
-        };
-        exponents(4).into_iter().map(|[_, j, k]| Polynomial::constant(&blossom(j, k))).collect()
+    fn space(square: bool) -> Space {
+        let [beta, one] = [ratio(3, 8), ratio(1, 1)].map(|x| Scalar::constant(&x));
+        let scheme = Box::new(CatmullClark(Norm::Second));
+        match square {
+            true => Space::of(scheme, 4, Ring::RATIONALS, Scalar::integer(0), one),
+            false => Loop::space(6, Ring::RATIONALS, beta),
+        }
     }
 
-    fn shows(c: &[Polynomial], bound: BigRational, by: &By) -> bool {
-        let space = Space::of(6, Beta::exact(&rational_beta(Weights::Warren, 6).unwrap()));
-        let over_q = |x: &Polynomial| &space.q * x;
-        let c: Vec<_> = c.iter().map(over_q).collect();
-        check(&space, &c, &space.q.scale(&bound), by, 0).is_ok()
+    fn shows(square: bool, c: &[Scalar], bound: BigRational, by: &By) -> bool {
+        let space = space(square);
+        let c: Vec<_> = c.iter().map(|x| space.ring.product(&space.q, x)).collect();
+        Goal { space: &space, c: &c, bound: &space.q.scale(&bound) }.check(by, 0).is_ok()
+    }
+
+    /// The coefficients of `x0 + a v + b w + p v^2 + 2 h v w + r w^2`, raised to the degree of the patch.
+    fn quadratic(square: bool, [x0, a, b, p, h, r]: [i64; 6]) -> Vec<Scalar> {
+        let patch = space(square).patch();
+        let d = patch.degree() as i64;
+        let node = |[v, w]: &[BigRational; 2]| {
+            let [j, k] = [v, w].map(|x| x * ratio(d, 1));
+            let power = |j: &BigRational| j * (j - ratio(1, 1)) / ratio(d * (d - 1), 1);
+            let mixed = &j * &k / ratio(if square { d * d } else { d * (d - 1) }, 1);
+            let second =
+                ratio(p, 1) * power(&j) + ratio(2 * h, 1) * mixed + ratio(r, 1) * power(&k);
+            Scalar::constant(&(ratio(x0, 1) + v * ratio(a, 1) + w * ratio(b, 1) + second))
+        };
+        patch.nodes().iter().map(node).collect()
     }
 
     #[test]
     fn a_concave_quadratic_with_its_maximum_inside() {
-        // 2v + 2w - 3v^2 - 3w^2 - 2vw has the maximum 1/2 at (1/4, 1/4).
-        let c = quartic([0, 2, 2, -3, -1, -3]);
-        let by = |v, w| By::Concave(Name::Concave, Number(v), Number(w));
-        assert!(shows(&c, ratio(1, 2), &by(ratio(1, 4), ratio(1, 4))));
-        assert!(!shows(&c, ratio(1, 2) - ratio(1, 1_000_000), &by(ratio(1, 4), ratio(1, 4))));
-        assert!(!shows(&c, ratio(1, 2), &by(ratio(1, 5), ratio(1, 4))));
-        assert!(!shows(&c, ratio(1, 2), &by(ratio(-1, 4), ratio(1, 4))));
-        assert!(!shows(&c, ratio(1, 2), &By::Alone(Name::Hull)));
-        // A saddle, and a valley, stay below their bound but are not concave.
-        assert!(!shows(
-            &quartic([0, 2, 2, -3, -4, -3]),
-            ratio(9, 1),
-            &by(ratio(1, 4), ratio(1, 4))
-        ));
-        assert!(!shows(&quartic([0, 0, 0, 1, 0, -1]), ratio(9, 1), &by(ratio(1, 4), ratio(1, 4))));
+        for square in [false, true] {
+            // 2v + 2w - 3v^2 - 3w^2 - 2vw has the maximum 1/2 at (1/4, 1/4).
+            let c = quadratic(square, [0, 2, 2, -3, -1, -3]);
+            let by = |v, w| By::Concave(Name::Concave, Number(v), Number(w));
+            let shows = |c: &[Scalar], bound: BigRational, by: &By| shows(square, c, bound, by);
+            assert!(shows(&c, ratio(1, 2), &by(ratio(1, 4), ratio(1, 4))));
+            let below = ratio(1, 2) - ratio(1, 1_000_000);
+            assert!(!shows(&c, below, &by(ratio(1, 4), ratio(1, 4))));
+            assert!(!shows(&c, ratio(1, 2), &by(ratio(1, 5), ratio(1, 4))));
+            assert!(!shows(&c, ratio(1, 2), &by(ratio(-1, 4), ratio(1, 4))));
+            assert!(!shows(&c, ratio(9, 1), &by(ratio(1, 4), ratio(5, 4))));
+            assert!(!shows(&c, ratio(1, 2), &By::Alone(Name::Hull)));
+            // Barely concave, barely not, and a valley, all below their bound.
+            let centre = by(ratio(1, 4), ratio(1, 4));
+            assert!(shows(&quadratic(square, [0, 2, 2, -4, -4, -4]), ratio(9, 1), &centre));
+            assert!(!shows(&quadratic(square, [0, 2, 2, -4, -5, -4]), ratio(9, 1), &centre));
+            assert!(!shows(&quadratic(square, [0, 0, 0, 1, 0, -1]), ratio(9, 1), &centre));
+        }
     }
 
     #[test]
     fn quarters_have_the_values_of_the_whole() {
-        // No symmetry, degree 4, and a polynomial in beta as one coefficient.
-        let mut c: Vec<_> =
-            (1..16).map(|i| Polynomial::constant(&ratio(i * i * i % 17 - 8, i))).collect();
-        c[7] = Polynomial::new(vec![3.into(), (-2).into()], 5.into());
-        let value =
-            |c: &[Polynomial], v: &BigRational, w: &BigRational| combine(&bernstein(4, v, w), c);
-        for letter in 0..4 {
-            let quarter = restricted(&c, letter);
-            for [_, j, k] in exponents(4) {
-                let (v, w) = (ratio(j as i64, 4), ratio(k as i64, 4));
-                let [x, y] = Triangle::of(&[letter]).point(&v, &w);
-                let rest = &value(&quarter, &v, &w) - &value(&c, &x, &y);
-                assert!(rest.is_zero(), "letter {letter}, node {j} {k}");
+        for square in [false, true] {
+            // No symmetry, full degree, and a scalar with two terms as one coefficient.
+            let patch = space(square).patch();
+            let nodes = patch.nodes();
+            let rough = (1..=nodes.len() as i64).map(|i| ratio(i * i * i % 17 - 8, i));
+            let mut c: Vec<_> = rough.map(|x| Scalar::constant(&x)).collect();
+            c[7] = Scalar::new(vec![3.into(), (-2).into()], 5.into());
+            for letter in 0..4 {
+                let rows = patch.restricted(letter);
+                let quarter: Vec<_> = rows.iter().map(|weights| combine(weights, &c)).collect();
+                for node in &nodes {
+                    let place = patch.quarters()[letter].point(node);
+                    let value = combine(&patch.value(node), &quarter);
+                    let rest = &value - &combine(&patch.value(&place), &c);
+                    assert!(rest.is_zero(), "letter {letter}, node {node:?}");
+                }
             }
         }
     }
@@ -181,37 +199,43 @@ mod tests {
     #[test]
     fn a_maximum_that_only_quarters_show() {
         // The maximum is 1/2 at (1/4, 1/4); the largest coefficient 5/6, over quarter 0 it is 7/12.
-        let c = quartic([0, 2, 2, -3, -1, -3]);
+        let c = quadratic(false, [0, 2, 2, -3, -1, -3]);
         let split = |by: fn() -> By| By::Split(Name::Split, Box::new([by(), by(), by(), by()]));
         let hull = || By::Alone(Name::Hull);
-        assert!(!shows(&c, ratio(3, 5), &hull()));
-        assert!(shows(&c, ratio(3, 5), &split(hull)));
-        assert!(!shows(&c, ratio(1, 2) - ratio(1, 1_000_000), &split(hull)));
-        assert!(!shows(&c, ratio(9, 1), &split(|| By::Alone(Name::Regular))));
-        assert!(!shows(&c, ratio(9, 1), &split(|| By::Alone(Name::Split))));
+        assert!(!shows(false, &c, ratio(3, 5), &hull()));
+        assert!(shows(false, &c, ratio(3, 5), &split(hull)));
+        assert!(!shows(false, &c, ratio(1, 2) - ratio(1, 1_000_000), &split(hull)));
+        assert!(!shows(false, &c, ratio(9, 1), &split(|| By::Alone(Name::Regular))));
+        assert!(!shows(false, &c, ratio(9, 1), &split(|| By::Alone(Name::Split))));
     }
 
     #[test]
     fn an_edge_with_its_maximum_inside() {
-        // On each edge in turn 4 s (1 - s), less 9 r away from it: the maximum is 1 at s = 1/2.
-        let edges = [
-            quartic([-9, 9 + 4, 9, -4, 0, 0]), // v + w = 1: 4v - 4v^2 on it, v = 1 - s
-            quartic([0, -9, 4, 0, 0, -4]),     // v = 0
-            quartic([0, 4, -9, -4, 0, 0]),     // w = 0
+        // On each edge in turn f = 3s - 2s^2, less 9 r away from it: the maximum is 9/8 at s = 3/4.
+        let triangle = [
+            [-9 + 1, 9 + 1, 9, -2, 0, 0], // v + w = 1, v = 1 - s: 1 + v - 2v^2
+            [0, -9, 3, 0, 0, -2],         // v = 0
+            [0, 3, -9, -2, 0, 0],         // w = 0
         ];
-        for (e, c) in edges.iter().enumerate() {
-            let by = |e, s| By::Edge(Name::Edge, e, Number(s));
-            assert!(shows(c, ratio(1, 1), &by(e, ratio(1, 2))), "edge {e}");
-            assert!(!shows(c, ratio(1, 1), &by(e, ratio(1, 3))));
-            assert!(!shows(c, ratio(1, 1), &by(e, ratio(3, 2))));
-            assert!(!shows(c, ratio(1, 1), &by((e + 1) % 3, ratio(1, 2))));
-            assert!(!shows(c, ratio(1, 1), &by(3, ratio(1, 2))));
-            assert!(!shows(c, ratio(999, 1000), &by(e, ratio(1, 2))));
-            assert!(!shows(c, ratio(1, 1), &By::Alone(Name::Hull)));
+        let square = [
+            [0, 3, -9, -2, 0, 0],    // v = 0
+            [-9, 9, 3, 0, 0, -2],    // u = 1
+            [1 - 9, 1, 9, -2, 0, 0], // v = 1, u = 1 - s
+            [1, -9, 1, 0, 0, -2],    // u = 0, v = 1 - s
+        ];
+        let by = |e, p, q| By::Edge(Name::Edge, e, Number(ratio(p, q)));
+        for (is_square, edges) in [(false, &triangle[..]), (true, &square[..])] {
+            let shows = |c: &[Scalar], bound: BigRational, by: &By| shows(is_square, c, bound, by);
+            for (e, &polynomial) in edges.iter().enumerate() {
+                let c = quadratic(is_square, polynomial);
+                assert!(shows(&c, ratio(9, 8), &by(e, 3, 4)), "{is_square} edge {e}");
+                assert!(!shows(&c, ratio(9, 8), &by(e, 1, 4)));
+                assert!(!shows(&c, ratio(9, 8), &by(e, 5, 4)));
+                assert!(!shows(&c, ratio(9, 8), &by((e + 1) % edges.len(), 3, 4)));
+                assert!(!shows(&c, ratio(9, 8), &by(edges.len(), 3, 4)));
+                assert!(!shows(&c, ratio(1124, 1000), &by(e, 3, 4)));
+                assert!(!shows(&c, ratio(9, 8), &By::Alone(Name::Hull)));
+            }
         }
-        // An asymmetric one tells the direction: s (1 - s) (2 + ..): f = 3s - 2s^2 - .., its maximum at s = 3/4.
-        let c = quartic([0, 3, -9, -2, 0, 0]);
-        assert!(shows(&c, ratio(9, 8), &By::Edge(Name::Edge, 2, Number(ratio(3, 4)))));
-        assert!(!shows(&c, ratio(9, 8), &By::Edge(Name::Edge, 2, Number(ratio(1, 4)))));
     }
 }

@@ -64,7 +64,8 @@ mod tests {
     fn covers(whole: usize, tail: usize, words: &[&str]) -> bool {
         let words: Vec<Vec<u8>> =
             words.iter().map(|word| word.bytes().map(|b| b - b'0').collect()).collect();
-        check(&vec![0; whole], &vec![0; tail], &words.iter().map(Vec::as_slice).collect::<Vec<_>>()).is_ok()
+        check(&vec![0; whole], &vec![0; tail], &words.iter().map(Vec::as_slice).collect::<Vec<_>>())
+            .is_ok()
     }
 
     #[test]

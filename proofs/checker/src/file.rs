@@ -453,7 +453,8 @@ pub fn read(bytes: &[u8]) -> Outcome<File> {
             for form in claim.right.iter().chain([&claim.left]) {
                 if let Functional::Against(form) = form {
                     level(form.level)?;
-                    let missing = form.against == Mesh::Limit && claim.scheme == SchemeName::DooSabin;
+                    let missing =
+                        form.against == Mesh::Limit && claim.scheme == SchemeName::DooSabin;
                     ensure!(!missing, rule, "the scheme has no such mesh");
                 }
             }

@@ -68,7 +68,10 @@ pub trait Lattice {
         let at = |&(i, j): &Place| self.refined(n, (i + a, j + b));
         let outer = Self::OUTER.iter().map(at);
         if letter == 0 {
-            return (1..=self.inner(n)).map(|label| self.inner_point(n, label)).chain(outer).collect();
+            return (1..=self.inner(n))
+                .map(|label| self.inner_point(n, label))
+                .chain(outer)
+                .collect();
         }
         Self::INNER.iter().map(at).chain(outer).collect()
     }

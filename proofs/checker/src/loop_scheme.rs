@@ -82,7 +82,11 @@ impl Loop {
 
     /// The new point of a vertex, with the weight of its valence.
     fn vertex(&self, n: usize, label: usize) -> Mask {
-        let beta = if label == 1 && n == self.n { self.beta.clone() } else { Scalar::constant(&ratio(3, 8)) };
+        let beta = if label == 1 && n == self.n {
+            self.beta.clone()
+        } else {
+            Scalar::constant(&ratio(3, 8))
+        };
         let size = ring(n, label).len() as i64;
         star(n, label, &Scalar::integer(1) - &beta, &beta.scale(&ratio(1, size)))
     }

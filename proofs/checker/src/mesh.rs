@@ -161,9 +161,10 @@ impl Mesh {
                 let sides = [i + ring.len() - 1, i + 1].map(|i| ring[i % ring.len()]);
                 let [a_, b_, c, d] = [a, b, sides[0], sides[1]].map(|i| &self.points[i]);
                 edges.insert([a, b], points.len());
-                points.push([0, 1, 2].map(|i| {
-                    &eighth * (BigInt::from(3) * (&a_[i] + &b_[i]) + &c[i] + &d[i])
-                }));
+                points.push(
+                    [0, 1, 2]
+                        .map(|i| &eighth * (BigInt::from(3) * (&a_[i] + &b_[i]) + &c[i] + &d[i])),
+                );
             }
         }
         let middle = |a: usize, b: usize| edges[&[a.min(b), a.max(b)]];

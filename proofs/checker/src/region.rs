@@ -98,7 +98,11 @@ impl Proof<'_> {
             let zeroth = forms.remove(0);
             for (form, point) in forms.iter_mut().zip(&space.patch().corners()[1..]) {
                 let over = &grow / space.patch().distance(point);
-                let terms = [(over.clone(), &*form), (&grow - over, &zeroth), (BigRational::one() - &grow, t_0)];
+                let terms = [
+                    (over.clone(), &*form),
+                    (&grow - over, &zeroth),
+                    (BigRational::one() - &grow, t_0),
+                ];
                 *form = Form::mix(space.size, &terms);
             }
         }

@@ -110,7 +110,8 @@ impl Ring {
             Self::Cosines(_, list) => {
                 let (mut low, mut high) = (BigInt::zero(), BigInt::zero());
                 for (c, g) in x.num.iter().zip(list) {
-                    let (a, b) = if c.is_negative() { (&g.high, &g.low) } else { (&g.low, &g.high) };
+                    let (a, b) =
+                        if c.is_negative() { (&g.high, &g.low) } else { (&g.low, &g.high) };
                     low += c * a;
                     high += c * b;
                 }
@@ -210,8 +211,14 @@ mod tests {
         // An even n has its c_(n/2), and associativity holds across the folds.
         let ring = Ring::cosines(8, Interval::outward(&ratio(7071, 10_000), &ratio(7072, 10_000)));
         let [a, b, c] = [[1, 2, 3, 4, 5], [2, -1, 0, 3, 1], [0, 1, 0, 0, 7]].map(|x| scalar(&x));
-        assert!(is(&ring.product(&ring.product(&a, &b), &c), &ring.product(&a, &ring.product(&b, &c))));
-        assert!(is(&ring.product(&Scalar::generator(4), &Scalar::generator(3)), &Scalar::generator(1)));
+        assert!(is(
+            &ring.product(&ring.product(&a, &b), &c),
+            &ring.product(&a, &ring.product(&b, &c))
+        ));
+        assert!(is(
+            &ring.product(&Scalar::generator(4), &Scalar::generator(3)),
+            &Scalar::generator(1)
+        ));
         // Rationals: no generator but 1.
         let product = Ring::RATIONALS.product(&scalar(&[3]), &scalar(&[-5]));
         assert_eq!(Ring::RATIONALS.near(&product), ratio(-15, 1));

@@ -49,7 +49,11 @@ impl Space {
     /// # Errors
     ///
     /// If and only if the enclosure of cos(π/n) is missing, idle or wrong: rule `cosine`.
-    pub fn new(setting: &Setting, norm: Norm, enclosure: Option<&(Number, Number)>) -> Outcome<Self> {
+    pub fn new(
+        setting: &Setting,
+        norm: Norm,
+        enclosure: Option<&(Number, Number)>,
+    ) -> Outcome<Self> {
         let n = setting.valence;
         let ends = enclosure.map(|(Number(lo), Number(hi))| (lo, hi));
         let idle = || Rejection::new(Rule::Cosine, "numbers are rational here: \"cosine\" is null");
