@@ -119,27 +119,30 @@ impl Goal<'_> {
 mod tests {
     use super::*;
     use crate::catmull_clark::CatmullClark;
+    use crate::doo_sabin::DooSabin;
     use crate::file::Norm;
     use crate::loop_scheme::Loop;
 
-    fn space(square: bool) -> Space {
-        let [beta, one] = [ratio(3, 8), ratio(1, 1)].map(|x| Scalar::constant(&x));
-        let scheme = Box::new(CatmullClark(Norm::Second));
-        match square {
-            true => Space::of(scheme, 4, Ring::RATIONALS, Scalar::integer(0), one),
-            false => Loop::space(6, Ring::RATIONALS, beta),
-        }
+    /// The triangle, and the squares of degree 3 and 2.
+    fn spaces() -> [Space; 3] {
+        let clark = Box::new(CatmullClark(Norm::Second));
+        let sabin = Box::new(DooSabin([1, 0, -1, 0].map(Scalar::integer).to_vec()));
+        let [zero, one] = [0, 1].map(Scalar::integer);
+        [
+            Loop::space(6, Ring::RATIONALS, Scalar::constant(&ratio(3, 8))),
+            Space::of(clark, 4, Ring::RATIONALS, zero.clone(), one.clone()),
+            Space::of(sabin, 4, Ring::RATIONALS, zero, one),
+        ]
     }
 
-    fn shows(square: bool, c: &[Scalar], bound: BigRational, by: &By) -> bool {
-        let space = space(square);
+    fn shows(space: &Space, c: &[Scalar], bound: BigRational, by: &By) -> bool {
         let c: Vec<_> = c.iter().map(|x| space.ring.product(&space.q, x)).collect();
-        Goal { space: &space, c: &c, bound: &space.q.scale(&bound) }.check(by, 0).is_ok()
+        Goal { space, c: &c, bound: &space.q.scale(&bound) }.check(by, 0).is_ok()
     }
 
     /// The coefficients of `x0 + a v + b w + p v^2 + 2 h v w + r w^2`, raised to the degree of the patch.
-    fn quadratic(square: bool, [x0, a, b, p, h, r]: [i64; 6]) -> Vec<Scalar> {
-        let patch = space(square).patch();
+    fn quadratic(space: &Space, [x0, a, b, p, h, r]: [i64; 6]) -> Vec<Scalar> {
+        let (patch, square) = (space.patch(), space.patch() != Patch::Triangle);
         let d = patch.degree() as i64;
         let node = |[v, w]: &[BigRational; 2]| {
             let [j, k] = [v, w].map(|x| x * ratio(d, 1));
@@ -154,11 +157,11 @@ mod tests {
 
     #[test]
     fn a_concave_quadratic_with_its_maximum_inside() {
-        for square in [false, true] {
+        for space in &spaces() {
             // 2v + 2w - 3v^2 - 3w^2 - 2vw has the maximum 1/2 at (1/4, 1/4).
-            let c = quadratic(square, [0, 2, 2, -3, -1, -3]);
+            let c = quadratic(space, [0, 2, 2, -3, -1, -3]);
             let by = |v, w| By::Concave(Name::Concave, Number(v), Number(w));
-            let shows = |c: &[Scalar], bound: BigRational, by: &By| shows(square, c, bound, by);
+            let shows = |c: &[Scalar], bound: BigRational, by: &By| shows(space, c, bound, by);
             assert!(shows(&c, ratio(1, 2), &by(ratio(1, 4), ratio(1, 4))));
             let below = ratio(1, 2) - ratio(1, 1_000_000);
             assert!(!shows(&c, below, &by(ratio(1, 4), ratio(1, 4))));
@@ -168,17 +171,17 @@ mod tests {
             assert!(!shows(&c, ratio(1, 2), &By::Alone(Name::Hull)));
             // Barely concave, barely not, and a valley, all below their bound.
             let centre = by(ratio(1, 4), ratio(1, 4));
-            assert!(shows(&quadratic(square, [0, 2, 2, -4, -4, -4]), ratio(9, 1), &centre));
-            assert!(!shows(&quadratic(square, [0, 2, 2, -4, -5, -4]), ratio(9, 1), &centre));
-            assert!(!shows(&quadratic(square, [0, 0, 0, 1, 0, -1]), ratio(9, 1), &centre));
+            assert!(shows(&quadratic(space, [0, 2, 2, -4, -4, -4]), ratio(9, 1), &centre));
+            assert!(!shows(&quadratic(space, [0, 2, 2, -4, -5, -4]), ratio(9, 1), &centre));
+            assert!(!shows(&quadratic(space, [0, 0, 0, 1, 0, -1]), ratio(9, 1), &centre));
         }
     }
 
     #[test]
     fn quarters_have_the_values_of_the_whole() {
-        for square in [false, true] {
+        for space in &spaces() {
             // No symmetry, full degree, and a scalar with two terms as one coefficient.
-            let patch = space(square).patch();
+            let patch = space.patch();
             let nodes = patch.nodes();
             let rough = (1..=nodes.len() as i64).map(|i| ratio(i * i * i % 17 - 8, i));
             let mut c: Vec<_> = rough.map(|x| Scalar::constant(&x)).collect();
@@ -199,14 +202,15 @@ mod tests {
     #[test]
     fn a_maximum_that_only_quarters_show() {
         // The maximum is 1/2 at (1/4, 1/4); the largest coefficient 5/6, over quarter 0 it is 7/12.
-        let c = quadratic(false, [0, 2, 2, -3, -1, -3]);
+        let space = &spaces()[0];
+        let c = quadratic(space, [0, 2, 2, -3, -1, -3]);
         let split = |by: fn() -> By| By::Split(Name::Split, Box::new([by(), by(), by(), by()]));
         let hull = || By::Alone(Name::Hull);
-        assert!(!shows(false, &c, ratio(3, 5), &hull()));
-        assert!(shows(false, &c, ratio(3, 5), &split(hull)));
-        assert!(!shows(false, &c, ratio(1, 2) - ratio(1, 1_000_000), &split(hull)));
-        assert!(!shows(false, &c, ratio(9, 1), &split(|| By::Alone(Name::Regular))));
-        assert!(!shows(false, &c, ratio(9, 1), &split(|| By::Alone(Name::Split))));
+        assert!(!shows(space, &c, ratio(3, 5), &hull()));
+        assert!(shows(space, &c, ratio(3, 5), &split(hull)));
+        assert!(!shows(space, &c, ratio(1, 2) - ratio(1, 1_000_000), &split(hull)));
+        assert!(!shows(space, &c, ratio(9, 1), &split(|| By::Alone(Name::Regular))));
+        assert!(!shows(space, &c, ratio(9, 1), &split(|| By::Alone(Name::Split))));
     }
 
     #[test]
@@ -224,11 +228,11 @@ mod tests {
             [1, -9, 1, 0, 0, -2],    // u = 0, v = 1 - s
         ];
         let by = |e, p, q| By::Edge(Name::Edge, e, Number(ratio(p, q)));
-        for (is_square, edges) in [(false, &triangle[..]), (true, &square[..])] {
-            let shows = |c: &[Scalar], bound: BigRational, by: &By| shows(is_square, c, bound, by);
+        for (space, edges) in spaces().iter().zip([&triangle[..], &square, &square]) {
+            let shows = |c: &[Scalar], bound: BigRational, by: &By| shows(space, c, bound, by);
             for (e, &polynomial) in edges.iter().enumerate() {
-                let c = quadratic(is_square, polynomial);
-                assert!(shows(&c, ratio(9, 8), &by(e, 3, 4)), "{is_square} edge {e}");
+                let c = quadratic(space, polynomial);
+                assert!(shows(&c, ratio(9, 8), &by(e, 3, 4)), "{:?} edge {e}", space.patch());
                 assert!(!shows(&c, ratio(9, 8), &by(e, 1, 4)));
                 assert!(!shows(&c, ratio(9, 8), &by(e, 5, 4)));
                 assert!(!shows(&c, ratio(9, 8), &by((e + 1) % edges.len(), 3, 4)));

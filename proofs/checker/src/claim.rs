@@ -13,7 +13,7 @@ pub fn in_words(claim: &Claim) -> String {
         Claim::Violation(claim) => {
             let (factor, right) = (number(&claim.factor.0), claim.right.len());
             let scheme = setting(&claim.setting());
-            format!("{scheme}: the inequality |left| <= {factor} max of {right} |right| is false")
+            format!("{scheme}: |left(y)| <= {factor} max |right_i(y)|, i = 1..{right}, is false")
         }
         Claim::MeshViolation(claim) => {
             let (k, weights) = (claim.level, weights(claim.weights));

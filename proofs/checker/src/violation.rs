@@ -1,7 +1,7 @@
 //! Inequalities about nets that are false: section 7 of FORMAT.md.
 
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
 
 use crate::file::{File, Functional, Norm, Number, Step, Violation, Word};
 use crate::form::Form;
@@ -44,7 +44,9 @@ pub fn check(file: &File, claim: &Violation) -> Outcome<()> {
     let mut path = Path::new(&space);
     // Both sides are times q > 0, at the same net and the same beta.
     let mut magnitudes = |form: &Functional| -> Outcome<[BigRational; 2]> {
-        Ok(space.ring.magnitudes(&functional(&space, &mut path, form)?.at(&net, &den)))
+        let form = functional(&space, &mut path, form)?;
+        space.charge(form.cost() * (1 + den.bits() / 64))?;
+        Ok(space.ring.magnitudes(&form.at(&net, &den)))
     };
     let [left, _] = magnitudes(&claim.left)?;
     for (i, form) in claim.right.iter().enumerate() {
@@ -66,14 +68,16 @@ fn functional(space: &Space, path: &mut Path, form: &Functional) -> Outcome<Form
             let size = space.scheme.size(space.valence(regular));
             let labels = if regular { space.scheme.points() } else { (1..=size).collect() };
             let increasing = form.terms.windows(2).all(|pair| pair[0].0 < pair[1].0);
-            let nonzero = form.terms.iter().all(|(_, Number(c))| !num_traits::Zero::is_zero(c));
+            let nonzero = form.terms.iter().all(|(_, Number(c))| !c.is_zero());
             let whole = increasing && nonzero && !form.terms.is_empty();
             ensure!(whole, rule, "the terms are none, not increasing, or zero");
             let label = |&(i, _): &(usize, Number)| i.checked_sub(1).and_then(|i| labels.get(i));
             ensure!(form.terms.iter().all(|term| label(term).is_some()), rule, "no such label");
             let scalar = |(_, Number(c)): &(usize, Number)| space.q.scale(c);
             let mask = form.terms.iter().filter_map(|term| Some((scalar(term), *label(term)?)));
-            Ok(path.along(word)?[word.len()].apply(space, &mask.collect()))
+            let net = &path.along(word)?[word.len()];
+            space.charge(2 * form.terms.len() as u64 * net.cost())?;
+            Ok(net.apply(space, &mask.collect()))
         }
         Functional::Against(form) => {
             let (Word(word), point) = (&form.word, [form.at.0.0.clone(), form.at.1.0.clone()]);
