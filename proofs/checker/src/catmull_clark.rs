@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use crate::file::Norm;
+use crate::claim::Norm;
 use crate::lattice::{CORNERS, Lattice, Line, Place};
 use crate::patch::Patch;
 use crate::rational::ratio;

@@ -119,8 +119,8 @@ impl Goal<'_> {
 mod tests {
     use super::*;
     use crate::catmull_clark::CatmullClark;
+    use crate::claim::Norm;
     use crate::doo_sabin::DooSabin;
-    use crate::file::Norm;
     use crate::loop_scheme::Loop;
 
     /// The triangle, and the squares of degree 3 and 2.

@@ -4,7 +4,7 @@ use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::file::Weights;
+use crate::claim::Weights;
 use crate::rational::ratio;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::ring::Interval;

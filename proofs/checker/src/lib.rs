@@ -6,7 +6,7 @@
 //!
 //! | file | section of FORMAT.md |
 //! |---|---|
-//! | `file`, `rational`, `reject` | 3: the file; numbers; the names of the rules |
+//! | `file`, `claim`, `words`, `rational`, `reject` | 3: the file; the claim, in words; numbers; the names of the rules |
 //! | `scalar`, `ring`, `cosine` | 2, 8: coefficients, their enclosures, what these decide |
 //! | `scheme`: `loop_scheme`, `lattice`, `catmull_clark`, `doo_sabin` | 1, 8: a scheme's masks and differences |
 //! | `space`, `patch`, `word`, `form`, `net`, `target` | 1, 8: the claim's setting, Bernstein forms, words, nets, targets |
@@ -43,9 +43,10 @@ mod space;
 mod target;
 mod violation;
 mod word;
+mod words;
 
+use claim::Claim;
 pub use file::BYTES;
-use file::Claim;
 use reject::{Outcome, Rejection, Rule};
 
 /// What is found out about a certificate.
@@ -72,7 +73,7 @@ pub fn check(bytes: &[u8]) -> Verdict {
 
 fn examine(bytes: &[u8]) -> Verdict {
     match file::read(bytes) {
-        Ok(file) => Verdict { claim: Some(claim::in_words(&file.claim)), outcome: prove(&file) },
+        Ok(file) => Verdict { claim: Some(words::in_words(&file.claim)), outcome: prove(&file) },
         Err(rejection) => rejection.into(),
     }
 }

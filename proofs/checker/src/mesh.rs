@@ -7,8 +7,9 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, pow};
 
+use crate::claim::{Inequality, MeshViolation, Weights};
 use crate::cosine::rational_beta;
-use crate::file::{File, Inequality, MeshViolation, Number, Step, Weights};
+use crate::file::{File, Number, Step};
 use crate::rational::{contrast, ratio};
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::violation::only_step;

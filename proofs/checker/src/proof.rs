@@ -8,10 +8,11 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::basis::Basis;
+use crate::claim::{Constant, Kind};
 use crate::covering::text;
 use crate::file::{
-    Apply, Attained, AttainedTile, Cite, Constant, Differences, File, Kind, Lemma, Number, Place,
-    Step, Weight, Word,
+    Apply, Attained, AttainedTile, Cite, Differences, File, Lemma, Number, Place, Step, Weight,
+    Word,
 };
 use crate::form::Form;
 use crate::net::Path;

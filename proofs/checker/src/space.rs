@@ -7,9 +7,10 @@ use num_rational::BigRational;
 
 use crate::basis;
 use crate::catmull_clark::CatmullClark;
+use crate::claim::{Norm, SchemeName, Setting, Weights};
 use crate::cosine;
 use crate::doo_sabin::DooSabin;
-use crate::file::{Norm, Number, SchemeName, Setting, Value, Weights};
+use crate::file::{Number, Value};
 use crate::loop_scheme::Loop;
 use crate::patch::Patch;
 use crate::rational::contrast;

@@ -3,7 +3,8 @@
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use crate::file::{File, Functional, Norm, Number, Step, Violation, Word};
+use crate::claim::{Functional, Norm, Violation};
+use crate::file::{File, Number, Step, Word};
 use crate::form::Form;
 use crate::net::Path;
 use crate::proof::{is_in_mesh, is_known, numerators};
