@@ -1,4 +1,4 @@
-//! Bases of second differences, and the multipliers of a form in one.
+//! Bases of differences, and the multipliers of a form in one.
 //!
 //! The elimination is only a way to find multipliers: `weight` checks them at every point.
 
@@ -10,11 +10,12 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::form::Form;
-use crate::polynomial::{Polynomial, add_product};
 use crate::reject::{Outcome, Rule, ensure};
-use crate::space::{Row, Space};
+use crate::scalar::{Scalar, add_product};
+use crate::scheme::Row;
+use crate::space::Space;
 
-/// `to = own to + Σ factor from`, a register being a polynomial.
+/// `to = own to + Σ factor from`, a register being a scalar.
 struct Instruction {
     to: usize,
     own: BigInt,
@@ -32,7 +33,7 @@ pub struct Basis {
     den: BigInt,
 }
 
-/// One linear equation for each point: the coefficients of the unknown multipliers.
+/// One linear equation for each point: the coefficients of the unknown multipliers (in `rank`, of the points).
 type Equation = BTreeMap<usize, BigRational>;
 
 /// The outcome of elimination in `Σ_l x_l rows_l = t`.
@@ -81,9 +82,29 @@ fn eliminate(rows: &[&Row], size: usize) -> Elimination {
     Elimination { pivots, steps }
 }
 
-/// The rank of second differences of `size` points.
+/// The rank of differences of `size` points: at most size - 1, as each vanishes where all points are equal.
 pub fn rank(rows: &[Row], size: usize) -> usize {
-    eliminate(&rows.iter().collect::<Vec<_>>(), size).pivots.len()
+    // Each row is reduced by those that begin with other points; what is left begins with a new one.
+    let mut begun = BTreeMap::<usize, Equation>::new();
+    for row in rows {
+        let terms = row.iter().map(|(i, c)| (*i, BigRational::from_integer(c.clone())));
+        let mut rest: Equation = terms.collect();
+        while let Some((&first, lead)) = rest.first_key_value() {
+            let Some(other) = begun.get(&first) else {
+                begun.insert(first, rest);
+                break;
+            };
+            let factor = lead / &other[&first];
+            for (&i, c) in other {
+                *rest.entry(i).or_insert_with(BigRational::zero) -= &factor * c;
+            }
+            rest.retain(|_, c| !c.is_zero());
+        }
+        if begun.len() + 1 == size {
+            break;
+        }
+    }
+    begun.len()
 }
 
 impl Basis {
@@ -97,7 +118,7 @@ impl Basis {
         let (rule, rank) = (Rule::Bases, space.rank);
         let within = list.iter().all(|l| (1..=space.rows.len()).contains(l));
         let increasing = list.windows(2).all(|pair| pair[0] < pair[1]);
-        ensure!(within && increasing, rule, "not an increasing list of second differences");
+        ensure!(within && increasing, rule, "not an increasing list of differences");
         ensure!(list.len() == rank, rule, "{} differences, but the rank is {rank}", list.len());
         let list: Vec<usize> = list.iter().map(|l| l - 1).collect();
         let rows: Vec<&Row> = list.iter().map(|&l| &space.rows[l]).collect();
@@ -147,12 +168,12 @@ impl Basis {
         self.program.iter().map(|instruction| 1 + instruction.terms.len() as u64).sum()
     }
 
-    /// The weight of a form given times q: a polynomial, to be divided by q.
+    /// The weight of a form given times q, to be divided by q.
     ///
     /// # Errors
     ///
     /// If and only if the form is not in the span: rule `bases`; or the work allowed is used up.
-    pub fn weight(&self, space: &Space, form: &Form) -> Outcome<Polynomial> {
+    pub fn weight(&self, space: &Space, form: &Form) -> Outcome<Scalar> {
         let (width, count) = (form.width as u64, self.list.len() as u64);
         let limbs = form.limbs() + 1 + self.den.bits() / 64;
         space.charge((self.length() + 4 * count) * width * limbs + 3 * count * width * width)?;
@@ -164,21 +185,21 @@ impl Basis {
         );
         let den = &self.den * &form.den;
         let mut sum = vec![BigInt::zero(); form.width];
-        let mut uncertain = Polynomial::integer(0);
+        let mut uncertain = Scalar::integer(0);
         for &i in &self.place {
-            let multiplier = Polynomial::new(registers[i].clone(), den.clone());
+            let multiplier = Scalar::new(registers[i].clone(), den.clone());
             let both = sum.iter_mut().zip(&registers[i]);
-            match multiplier.sign(&space.beta) {
+            match space.ring.sign(&multiplier) {
                 Some(Sign::NoSign) => (),
                 Some(Sign::Plus) => both.for_each(|(sum, x)| *sum += x),
                 Some(Sign::Minus) => both.for_each(|(sum, x)| *sum -= x),
                 None => {
-                    let most = multiplier.magnitude(&space.beta);
-                    uncertain = &uncertain + &Polynomial::constant(&most);
+                    let [_, most] = space.ring.magnitudes(&multiplier);
+                    uncertain = &uncertain + &Scalar::constant(&most);
                 }
             }
         }
-        Ok(&Polynomial::new(sum, den) + &uncertain)
+        Ok(&Scalar::new(sum, den) + &uncertain)
     }
 
     /// Runs the program on a form's numerators.
@@ -215,14 +236,24 @@ impl Basis {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::loop_scheme::Loop;
     use crate::net::Net;
-    use crate::polynomial::Beta;
     use crate::rational::ratio;
+    use crate::ring::{Interval, Ring};
 
     const GOOD: [usize; 12] = [1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 14, 16];
 
+    fn with_beta(n: usize) -> Space {
+        Loop::space(n, Ring::RATIONALS, Scalar::constant(&ratio(3, 8)))
+    }
+
+    fn differences(space: &Space) -> Vec<Form> {
+        let net = Net::first(space);
+        space.rows.iter().map(|row| net.difference(row)).collect()
+    }
+
     fn space() -> Space {
-        Space::of(7, Beta::exact(&ratio(3, 8)))
+        with_beta(7)
     }
 
     #[test]
@@ -242,7 +273,7 @@ mod tests {
         assert!(refused(&[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 14, 16]), "too many");
         assert!(refused(&[1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 12, 15]), "dependent");
         // Of the sets of nine at n = 6 some are bases and some are not.
-        let six = Space::of(6, Beta::exact(&ratio(3, 8)));
+        let six = with_beta(6);
         let sets = (0..1u32 << 15).filter(|set| set.count_ones() == 9).step_by(97);
         let list = |set: u32| (1..=15).filter(|l| set >> (l - 1) & 1 == 1).collect::<Vec<usize>>();
         let (mut independent, mut dependent) = (0, 0);
@@ -261,14 +292,14 @@ mod tests {
     #[test]
     fn weights_of_known_combinations() {
         let space = space();
-        let differences = Net::first(&space).differences();
+        let differences = differences(&space);
         let basis = Basis::new(&space, &GOOD).unwrap();
         // 2/3 alpha_5 - 3/4 alpha_9 + 1/5 alpha_16: the weight is 2/3 + 3/4 + 1/5.
         let terms = [(ratio(2, 3), 5), (ratio(-3, 4), 9), (ratio(1, 5), 16)];
         let terms: Vec<_> = terms.iter().map(|(c, l)| (c.clone(), &differences[l - 1])).collect();
         let form = Form::mix(space.size, &terms);
         let weight = basis.weight(&space, &form).unwrap();
-        assert!((&weight - &Polynomial::constant(&ratio(97, 60))).is_zero());
+        assert!((&weight - &Scalar::constant(&ratio(97, 60))).is_zero());
         // A difference outside of the basis has some weight; a single point is not in the span.
         assert!(basis.weight(&space, &differences[7]).is_ok());
         let fault = basis.weight(&space, &Form::point(3, space.size)).unwrap_err();
@@ -277,14 +308,22 @@ mod tests {
 
     #[test]
     fn a_multiplier_of_unknown_sign_counts_with_its_magnitude() {
-        let space = Space::of(7, Beta::between(&ratio(1, 4), &ratio(1, 2)));
-        let differences = Net::first(&space).differences();
+        let space = Loop::space(
+            7,
+            Ring::Powers(Interval::outward(&ratio(1, 4), &ratio(1, 2))),
+            Scalar::generator(1),
+        );
+        let differences = differences(&space);
         let basis = Basis::new(&space, &GOOD).unwrap();
         // beta alpha_5 - (3/8 - beta) alpha_6: the second is within 1/8, of either sign.
         let (first, second) =
-            (space.beta.value.clone(), &space.beta.value - &Polynomial::constant(&ratio(3, 8)));
-        let form = Form::sum(space.size, &[(&first, &differences[4]), (&second, &differences[5])]);
+            (Scalar::generator(1), &Scalar::generator(1) - &Scalar::constant(&ratio(3, 8)));
+        let form = Form::sum(
+            &space.ring,
+            space.size,
+            &[(&first, &differences[4]), (&second, &differences[5])],
+        );
         let weight = basis.weight(&space, &form).unwrap();
-        assert!((&weight - &(&first + &Polynomial::constant(&ratio(1, 8)))).is_zero());
+        assert!((&weight - &(&first + &Scalar::constant(&ratio(1, 8)))).is_zero());
     }
 }

@@ -1,235 +1,200 @@
-//! Cells: a quartic of weights is at most the bound on its triangle, shown in one of four ways.
-
-use std::iter::repeat_n;
+//! Cells: a patch of weights is at most the bound on its domain, shown in one of four ways.
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{One, Signed};
 
 use crate::file::{By, Name, Number};
-use crate::polynomial::Polynomial;
+use crate::patch::{Patch, combine, on_line};
 use crate::rational::{decimal, ratio};
 use crate::reject::{Outcome, Rejection, Rule, ensure};
+use crate::ring::Ring;
+use crate::scalar::Scalar;
 use crate::space::Space;
-use crate::word::{Triangle, barycentric, bernstein, exponents, index, is_in_triangle};
 
 /// The most splits inside each other.
 const SPLITS: usize = 12;
 
-type Bound<'a> = &'a Polynomial;
+/// What is shown: the polynomial with the coefficients `c / q` is at most `bound / q` on the domain of the patch.
+#[derive(Clone, Copy)]
+pub struct Goal<'a> {
+    pub space: &'a Space,
+    pub c: &'a [Scalar],
+    pub bound: &'a Scalar,
+}
 
-/// Shows that the quartic with the coefficients `c / q` is at most `bound / q`.
-///
-/// # Errors
-///
-/// If and only if it is not shown: rule `cell-hull`, `cell-edge`, `cell-concave`, `cell-split` (if
-/// that is what is wrong), for "regular" `cell-regular`, for a way that there is not `format`; or the
-/// work allowed is used up.
-pub fn check(space: &Space, c: &[Polynomial], bound: Bound, by: &By, splits: usize) -> Outcome<()> {
-    let effort = if matches!(by, By::Split(..)) { 4000 } else { 64 };
-    space.charge(effort * c.iter().map(Polynomial::cost).sum::<u64>())?;
-    match by {
-        By::Alone(Name::Hull) => hull(space, c, bound, Rule::CellHull, |_| true),
-        By::Edge(Name::Edge, opposite, Number(s)) => edge(space, c, bound, *opposite, s),
-        By::Concave(Name::Concave, Number(v), Number(w)) => concave(space, c, bound, v, w),
-        By::Split(Name::Split, quarters) => split(space, c, bound, quarters, splits),
-        By::Alone(Name::Regular) => Err(Rejection::new(Rule::CellRegular, "inside a split")),
-        _ => Err(Rejection::new(Rule::Format, "there is no such way to show a cell")),
+impl Goal<'_> {
+    /// Shows it in a way, inside of so many splits.
+    ///
+    /// # Errors
+    ///
+    /// If and only if it is not shown: rule `cell-hull`, `cell-edge`, `cell-concave`, `cell-split` (if that is what is
+    /// wrong), for "regular" `cell-regular`, for a way that there is not `format`; or the work allowed is used up.
+    pub fn check(self, by: &By, splits: usize) -> Outcome<()> {
+        let effort = if matches!(by, By::Split(..)) { 4000 } else { 64 };
+        self.space.charge(effort * self.c.iter().map(Ring::cost).sum::<u64>())?;
+        match by {
+            By::Alone(Name::Hull) => self.hull(Rule::CellHull, &[]),
+            By::Edge(Name::Edge, edge, Number(s)) => self.edge(*edge, s),
+            By::Concave(Name::Concave, Number(v), Number(w)) => {
+                self.concave(&[v.clone(), w.clone()])
+            }
+            By::Split(Name::Split, quarters) => self.split(quarters, splits),
+            By::Alone(Name::Regular) => Err(Rejection::new(Rule::CellRegular, "inside a split")),
+            _ => Err(Rejection::new(Rule::Format, "there is no such way to show a cell")),
+        }
     }
-}
 
-/// The coefficients with these exponents are at most the bound.
-fn hull(
-    space: &Space,
-    c: &[Polynomial],
-    bound: Bound,
-    rule: Rule,
-    these: impl Fn(&[usize; 3]) -> bool,
-) -> Outcome<()> {
-    let these = exponents(4).into_iter().zip(c).enumerate().filter(|(_, (e, _))| these(e));
-    for (i, (_, c)) in these {
-        space.at_most(c, bound, rule, format_args!("coefficient {i}"))?;
+    fn patch(self) -> Patch {
+        self.space.patch()
     }
-    Ok(())
-}
 
-/// `Σ weights_i c_i`.
-fn combine(weights: &[BigRational], c: &[Polynomial]) -> Polynomial {
-    let terms = weights.iter().zip(c).filter(|(x, _)| !x.is_zero()).map(|(x, c)| c.scale(x));
-    terms.fold(Polynomial::integer(0), |sum, term| &sum + &term)
-}
-
-/// `a - x - y + c`.
-fn second(a: &Polynomial, x: &Polynomial, y: &Polynomial, c: &Polynomial) -> Polynomial {
-    &(a + c) - &(x + y)
-}
-
-/// The Bernstein polynomials of a degree on [0, 1] at s: those of the triangle on w = 0.
-fn on_interval(degree: usize, s: &BigRational) -> Vec<BigRational> {
-    let values = bernstein(degree, s, &BigRational::zero());
-    (0..=degree).map(|j| values[index(j, 0)].clone()).collect()
-}
-
-fn edge(
-    space: &Space,
-    c: &[Polynomial],
-    bound: Bound,
-    opposite: usize,
-    s: &BigRational,
-) -> Outcome<()> {
-    let rule = Rule::CellEdge;
-    let valid = opposite < 3 && is_in_triangle(s, &BigRational::zero());
-    ensure!(valid, rule, "there is no such edge, or no such point on it");
-    hull(space, c, bound, rule, |e| e[opposite] > 0)?;
-    let on = |m: usize| match opposite {
-        0 => index(4 - m, m), // from corner 1 to 2
-        1 => index(0, m),     // from corner 0 to 2
-        _ => index(m, 0),     // from corner 0 to 1
-    };
-    let f: Vec<_> = (0..=4).map(|m| c[on(m)].clone()).collect();
-    for three in f.windows(3) {
-        let bend = second(&three[0], &three[1], &three[1], &three[2]);
-        space.at_most(&bend, &Polynomial::integer(0), rule, "a second difference on the edge")?;
+    /// The coefficients other than these are at most the bound.
+    fn hull(self, rule: Rule, but: &[usize]) -> Outcome<()> {
+        for (i, c) in self.c.iter().enumerate().filter(|(i, _)| !but.contains(i)) {
+            self.space.at_most(c, self.bound, rule, format_args!("coefficient {i}"))?;
+        }
+        Ok(())
     }
-    let value = combine(&on_interval(4, s), &f);
-    let steps: Vec<_> = f.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
-    let slope = combine(&on_interval(3, s), &steps).scale(&ratio(4, 1));
-    for end in [0, 1] {
-        let tangent = &value + &slope.scale(&(ratio(end, 1) - s));
-        space.at_most(&tangent, bound, rule, format_args!("the tangent at {end}"))?;
-    }
-    Ok(())
-}
 
-fn concave(
-    space: &Space,
-    c: &[Polynomial],
-    bound: Bound,
-    v: &BigRational,
-    w: &BigRational,
-) -> Outcome<()> {
-    let rule = Rule::CellConcave;
-    ensure!(is_in_triangle(v, w), rule, "the point is not in the triangle");
-    let at = |j: usize, k: usize| &c[index(j, k)];
-    let zero = Polynomial::integer(0);
-    for [_, j, k] in exponents(2) {
-        let aa = second(at(j + 2, k), at(j + 1, k), at(j + 1, k), at(j, k));
-        let bb = second(at(j, k + 2), at(j, k + 1), at(j, k + 1), at(j, k));
-        let ab = second(at(j + 1, k + 1), at(j + 1, k), at(j, k + 1), at(j, k));
-        space.at_most(&aa, &zero, rule, "a second derivative in v")?;
-        space.at_most(&bb, &zero, rule, "a second derivative in w")?;
-        let [square, product] = [&ab * &ab, &aa * &bb];
-        let definite = (&square - &product).is_at_most_zero(&space.beta);
-        let [aa, ab, bb] = [aa, ab, bb].map(|x| decimal(&space.near(&x), 12));
-        ensure!(definite, rule, "second derivatives {aa}, {ab}, {bb}: not shown to be concave");
+    fn edge(self, edge: usize, s: &BigRational) -> Outcome<()> {
+        let (space, rule, patch) = (self.space, Rule::CellEdge, self.patch());
+        let within = !s.is_negative() && s <= &BigRational::one();
+        let missing = || Rejection::new(rule, "there is no such edge, or no such point on it");
+        let edge = patch.edge(edge).filter(|_| within).ok_or_else(missing)?;
+        self.hull(rule, &edge)?;
+        let f: Vec<_> = edge.iter().map(|&i| self.c[i].clone()).collect();
+        for three in f.windows(3) {
+            let bend = &(&three[0] - &three[1]) - &(&three[1] - &three[2]);
+            space.at_most(&bend, &Scalar::integer(0), rule, "a second difference on the edge")?;
+        }
+        let [value, slope] = [0, 1].map(|order| combine(&on_line(patch.degree(), s, order), &f));
+        for end in [0, 1] {
+            let tangent = &value + &slope.scale(&(ratio(end, 1) - s));
+            space.at_most(&tangent, self.bound, rule, format_args!("the tangent at {end}"))?;
+        }
+        Ok(())
     }
-    let value = combine(&bernstein(4, v, w), c);
-    let slope = |step: [usize; 2]| {
-        let rise = |&[_, j, k]: &[usize; 3]| at(j + step[0], k + step[1]) - at(j, k);
-        let rises: Vec<_> = exponents(3).iter().map(rise).collect();
-        combine(&bernstein(3, v, w), &rises).scale(&ratio(4, 1))
-    };
-    let (slope_v, slope_w) = (slope([1, 0]), slope([0, 1]));
-    for (x, y) in [(0, 0), (1, 0), (0, 1)] {
-        let rise = &slope_v.scale(&(ratio(x, 1) - v)) + &slope_w.scale(&(ratio(y, 1) - w));
-        space.at_most(&(&value + &rise), bound, rule, format_args!("the plane at ({x}, {y})"))?;
-    }
-    Ok(())
-}
 
-/// Each quarter in its way.
-fn split(
-    space: &Space,
-    c: &[Polynomial],
-    bound: Bound,
-    quarters: &[By; 4],
-    splits: usize,
-) -> Outcome<()> {
-    let rule = Rule::CellSplit;
-    ensure!(splits < SPLITS, rule, "more than {SPLITS} splits inside each other");
-    for (letter, by) in (0..).zip(quarters) {
-        let inner = |fault: Rejection| {
-            Rejection::new(fault.rule, format!("quarter {letter}: {}", fault.why))
-        };
-        check(space, &restricted(c, letter), bound, by, splits + 1).map_err(inner)?;
+    fn concave(self, point: &[BigRational; 2]) -> Outcome<()> {
+        let (space, rule, patch) = (self.space, Rule::CellConcave, self.patch());
+        ensure!(patch.contains(point), rule, "the point is not in the domain");
+        let zero = Scalar::integer(0);
+        for bend in patch.bends() {
+            let [aa, ab, bb] = bend.map(|weights| combine(&weights, self.c));
+            space.at_most(&aa, &zero, rule, "a second derivative in v")?;
+            space.at_most(&bb, &zero, rule, "a second derivative in w")?;
+            let [square, product] = [space.ring.product(&ab, &ab), space.ring.product(&aa, &bb)];
+            let definite = space.ring.is_at_most_zero(&(&square - &product));
+            let shown = || [&aa, &ab, &bb].map(|x| decimal(&space.near(x), 12)).join(", ");
+            ensure!(definite, rule, "second derivatives {}: not shown to be concave", shown());
+        }
+        let value = combine(&patch.value(point), self.c);
+        let slopes = patch.slopes(point).map(|weights| combine(&weights, self.c));
+        for corner in patch.corners() {
+            let rises = [0, 1].map(|i| slopes[i].scale(&(&corner[i] - &point[i])));
+            let plane = &(&value + &rises[0]) + &rises[1];
+            let name = format_args!("the plane at ({}, {})", corner[0], corner[1]);
+            space.at_most(&plane, self.bound, rule, name)?;
+        }
+        Ok(())
     }
-    Ok(())
-}
 
-/// The coefficients on a quarter: (i, j, k) is the blossom at i, j, k times its corners 0, 1, 2.
-fn restricted(c: &[Polynomial], letter: u8) -> Vec<Polynomial> {
-    let corners = Triangle::of(&[letter]).0.map(|[v, w]| barycentric(&v, &w));
-    // One argument of the blossom, a point with barycentric coordinates, is put in.
-    let put_in = |c: Vec<Polynomial>, (degree, point): (usize, &[BigRational; 3])| {
-        let three = |[_, j, k]: [usize; 3]| {
-            [index(j, k), index(j + 1, k), index(j, k + 1)].map(|i| c[i].clone())
-        };
-        exponents(degree).into_iter().map(|e| combine(point, &three(e))).collect()
-    };
-    let blossom = |times: [usize; 3]| {
-        let points = corners.iter().zip(times).flat_map(|(corner, i)| repeat_n(corner, i));
-        (0..4).rev().zip(points).fold(c.to_vec(), put_in).swap_remove(0)
-    };
-    exponents(4).into_iter().map(blossom).collect()
+    /// Each quarter in its way.
+    fn split(self, quarters: &[By; 4], splits: usize) -> Outcome<()> {
+        let rule = Rule::CellSplit;
+        ensure!(splits < SPLITS, rule, "more than {SPLITS} splits inside each other");
+        for (letter, by) in quarters.iter().enumerate() {
+            let weights = self.patch().restricted(letter);
+            let c: Vec<_> = weights.iter().map(|weights| combine(weights, self.c)).collect();
+            let inner = |fault: Rejection| {
+                Rejection::new(fault.rule, format!("quarter {letter}: {}", fault.why))
+            };
+            Goal { c: &c, ..self }.check(by, splits + 1).map_err(inner)?;
+        }
+        Ok(())
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cosine::rational_beta;
-    use crate::file::{Number, Weights};
-    use crate::polynomial::Beta;
+    use crate::catmull_clark::CatmullClark;
+    use crate::claim::Norm;
+    use crate::doo_sabin::DooSabin;
+    use crate::loop_scheme::Loop;
 
-    /// The coefficients of `x0 + a v + b w + p v^2 + 2 h v w + r w^2`, raised to degree 4.
-    fn quartic([x0, a, b, p, h, r]: [i64; 6]) -> Vec<Polynomial> {
-        let blossom = |j: usize, k: usize| {
-            let (j, k) = (j as i64, k as i64);
-            let second = p * j * (j - 1) + 2 * h * j * k + r * k * (k - 1);
-            ratio(x0, 1) + ratio(a * j + b * k, 4) + ratio(second, 12)
-        };
-        exponents(4).into_iter().map(|[_, j, k]| Polynomial::constant(&blossom(j, k))).collect()
+    /// The triangle, and the squares of degree 3 and 2.
+    fn spaces() -> [Space; 3] {
+        let clark = Box::new(CatmullClark(Norm::Second));
+        let sabin = Box::new(DooSabin([1, 0, -1, 0].map(Scalar::integer).to_vec()));
+        let [zero, one] = [0, 1].map(Scalar::integer);
+        [
+            Loop::space(6, Ring::RATIONALS, Scalar::constant(&ratio(3, 8))),
+            Space::of(clark, 4, Ring::RATIONALS, zero.clone(), one.clone()),
+            Space::of(sabin, 4, Ring::RATIONALS, zero, one),
+        ]
     }
 
-    fn shows(c: &[Polynomial], bound: BigRational, by: &By) -> bool {
-        let space = Space::of(6, Beta::exact(&rational_beta(Weights::Warren, 6).unwrap()));
-        let over_q = |x: &Polynomial| &space.q * x;
-        let c: Vec<_> = c.iter().map(over_q).collect();
-        check(&space, &c, &space.q.scale(&bound), by, 0).is_ok()
+    fn shows(space: &Space, c: &[Scalar], bound: BigRational, by: &By) -> bool {
+        let c: Vec<_> = c.iter().map(|x| space.ring.product(&space.q, x)).collect();
+        Goal { space, c: &c, bound: &space.q.scale(&bound) }.check(by, 0).is_ok()
+    }
+
+    /// The coefficients of `x0 + a v + b w + p v^2 + 2 h v w + r w^2`, raised to the degree of the patch.
+    fn quadratic(space: &Space, [x0, a, b, p, h, r]: [i64; 6]) -> Vec<Scalar> {
+        let (patch, square) = (space.patch(), space.patch() != Patch::Triangle);
+        let d = patch.degree() as i64;
+        let node = |[v, w]: &[BigRational; 2]| {
+            let [j, k] = [v, w].map(|x| x * ratio(d, 1));
+            let power = |j: &BigRational| j * (j - ratio(1, 1)) / ratio(d * (d - 1), 1);
+            let mixed = &j * &k / ratio(if square { d * d } else { d * (d - 1) }, 1);
+            let second =
+                ratio(p, 1) * power(&j) + ratio(2 * h, 1) * mixed + ratio(r, 1) * power(&k);
+            Scalar::constant(&(ratio(x0, 1) + v * ratio(a, 1) + w * ratio(b, 1) + second))
+        };
+        patch.nodes().iter().map(node).collect()
     }
 
     #[test]
     fn a_concave_quadratic_with_its_maximum_inside() {
-        // 2v + 2w - 3v^2 - 3w^2 - 2vw has the maximum 1/2 at (1/4, 1/4).
-        let c = quartic([0, 2, 2, -3, -1, -3]);
-        let by = |v, w| By::Concave(Name::Concave, Number(v), Number(w));
-        assert!(shows(&c, ratio(1, 2), &by(ratio(1, 4), ratio(1, 4))));
-        assert!(!shows(&c, ratio(1, 2) - ratio(1, 1_000_000), &by(ratio(1, 4), ratio(1, 4))));
-        assert!(!shows(&c, ratio(1, 2), &by(ratio(1, 5), ratio(1, 4))));
-        assert!(!shows(&c, ratio(1, 2), &by(ratio(-1, 4), ratio(1, 4))));
-        assert!(!shows(&c, ratio(1, 2), &By::Alone(Name::Hull)));
-        // A saddle, and a valley, stay below their bound but are not concave.
-        assert!(!shows(
-            &quartic([0, 2, 2, -3, -4, -3]),
-            ratio(9, 1),
-            &by(ratio(1, 4), ratio(1, 4))
-        ));
-        assert!(!shows(&quartic([0, 0, 0, 1, 0, -1]), ratio(9, 1), &by(ratio(1, 4), ratio(1, 4))));
+        for space in &spaces() {
+            // 2v + 2w - 3v^2 - 3w^2 - 2vw has the maximum 1/2 at (1/4, 1/4).
+            let c = quadratic(space, [0, 2, 2, -3, -1, -3]);
+            let by = |v, w| By::Concave(Name::Concave, Number(v), Number(w));
+            let shows = |c: &[Scalar], bound: BigRational, by: &By| shows(space, c, bound, by);
+            assert!(shows(&c, ratio(1, 2), &by(ratio(1, 4), ratio(1, 4))));
+            let below = ratio(1, 2) - ratio(1, 1_000_000);
+            assert!(!shows(&c, below, &by(ratio(1, 4), ratio(1, 4))));
+            assert!(!shows(&c, ratio(1, 2), &by(ratio(1, 5), ratio(1, 4))));
+            assert!(!shows(&c, ratio(1, 2), &by(ratio(-1, 4), ratio(1, 4))));
+            assert!(!shows(&c, ratio(9, 1), &by(ratio(1, 4), ratio(5, 4))));
+            assert!(!shows(&c, ratio(1, 2), &By::Alone(Name::Hull)));
+            // Barely concave, barely not, and a valley, all below their bound.
+            let centre = by(ratio(1, 4), ratio(1, 4));
+            assert!(shows(&quadratic(space, [0, 2, 2, -4, -4, -4]), ratio(9, 1), &centre));
+            assert!(!shows(&quadratic(space, [0, 2, 2, -4, -5, -4]), ratio(9, 1), &centre));
+            assert!(!shows(&quadratic(space, [0, 0, 0, 1, 0, -1]), ratio(9, 1), &centre));
+        }
     }
 
     #[test]
     fn quarters_have_the_values_of_the_whole() {
-        // No symmetry, degree 4, and a polynomial in beta as one coefficient.
-        let mut c: Vec<_> =
-            (1..16).map(|i| Polynomial::constant(&ratio(i * i * i % 17 - 8, i))).collect();
-        c[7] = Polynomial::new(vec![3.into(), (-2).into()], 5.into());
-        let value =
-            |c: &[Polynomial], v: &BigRational, w: &BigRational| combine(&bernstein(4, v, w), c);
-        for letter in 0..4 {
-            let quarter = restricted(&c, letter);
-            for [_, j, k] in exponents(4) {
-                let (v, w) = (ratio(j as i64, 4), ratio(k as i64, 4));
-                let [x, y] = Triangle::of(&[letter]).point(&v, &w);
-                let rest = &value(&quarter, &v, &w) - &value(&c, &x, &y);
-                assert!(rest.is_zero(), "letter {letter}, node {j} {k}");
+        for space in &spaces() {
+            // No symmetry, full degree, and a scalar with two terms as one coefficient.
+            let patch = space.patch();
+            let nodes = patch.nodes();
+            let rough = (1..=nodes.len() as i64).map(|i| ratio(i * i * i % 17 - 8, i));
+            let mut c: Vec<_> = rough.map(|x| Scalar::constant(&x)).collect();
+            c[7] = Scalar::new(vec![3.into(), (-2).into()], 5.into());
+            for letter in 0..4 {
+                let rows = patch.restricted(letter);
+                let quarter: Vec<_> = rows.iter().map(|weights| combine(weights, &c)).collect();
+                for node in &nodes {
+                    let place = patch.quarters()[letter].point(node);
+                    let value = combine(&patch.value(node), &quarter);
+                    let rest = &value - &combine(&patch.value(&place), &c);
+                    assert!(rest.is_zero(), "letter {letter}, node {node:?}");
+                }
             }
         }
     }
@@ -237,37 +202,44 @@ mod tests {
     #[test]
     fn a_maximum_that_only_quarters_show() {
         // The maximum is 1/2 at (1/4, 1/4); the largest coefficient 5/6, over quarter 0 it is 7/12.
-        let c = quartic([0, 2, 2, -3, -1, -3]);
+        let space = &spaces()[0];
+        let c = quadratic(space, [0, 2, 2, -3, -1, -3]);
         let split = |by: fn() -> By| By::Split(Name::Split, Box::new([by(), by(), by(), by()]));
         let hull = || By::Alone(Name::Hull);
-        assert!(!shows(&c, ratio(3, 5), &hull()));
-        assert!(shows(&c, ratio(3, 5), &split(hull)));
-        assert!(!shows(&c, ratio(1, 2) - ratio(1, 1_000_000), &split(hull)));
-        assert!(!shows(&c, ratio(9, 1), &split(|| By::Alone(Name::Regular))));
-        assert!(!shows(&c, ratio(9, 1), &split(|| By::Alone(Name::Split))));
+        assert!(!shows(space, &c, ratio(3, 5), &hull()));
+        assert!(shows(space, &c, ratio(3, 5), &split(hull)));
+        assert!(!shows(space, &c, ratio(1, 2) - ratio(1, 1_000_000), &split(hull)));
+        assert!(!shows(space, &c, ratio(9, 1), &split(|| By::Alone(Name::Regular))));
+        assert!(!shows(space, &c, ratio(9, 1), &split(|| By::Alone(Name::Split))));
     }
 
     #[test]
     fn an_edge_with_its_maximum_inside() {
-        // On each edge in turn 4 s (1 - s), less 9 r away from it: the maximum is 1 at s = 1/2.
-        let edges = [
-            quartic([-9, 9 + 4, 9, -4, 0, 0]), // v + w = 1: 4v - 4v^2 on it, v = 1 - s
-            quartic([0, -9, 4, 0, 0, -4]),     // v = 0
-            quartic([0, 4, -9, -4, 0, 0]),     // w = 0
+        // On each edge in turn f = 3s - 2s^2, less 9 r away from it: the maximum is 9/8 at s = 3/4.
+        let triangle = [
+            [-9 + 1, 9 + 1, 9, -2, 0, 0], // v + w = 1, v = 1 - s: 1 + v - 2v^2
+            [0, -9, 3, 0, 0, -2],         // v = 0
+            [0, 3, -9, -2, 0, 0],         // w = 0
         ];
-        for (e, c) in edges.iter().enumerate() {
-            let by = |e, s| By::Edge(Name::Edge, e, Number(s));
-            assert!(shows(c, ratio(1, 1), &by(e, ratio(1, 2))), "edge {e}");
-            assert!(!shows(c, ratio(1, 1), &by(e, ratio(1, 3))));
-            assert!(!shows(c, ratio(1, 1), &by(e, ratio(3, 2))));
-            assert!(!shows(c, ratio(1, 1), &by((e + 1) % 3, ratio(1, 2))));
-            assert!(!shows(c, ratio(1, 1), &by(3, ratio(1, 2))));
-            assert!(!shows(c, ratio(999, 1000), &by(e, ratio(1, 2))));
-            assert!(!shows(c, ratio(1, 1), &By::Alone(Name::Hull)));
+        let square = [
+            [0, 3, -9, -2, 0, 0],    // v = 0
+            [-9, 9, 3, 0, 0, -2],    // u = 1
+            [1 - 9, 1, 9, -2, 0, 0], // v = 1, u = 1 - s
+            [1, -9, 1, 0, 0, -2],    // u = 0, v = 1 - s
+        ];
+        let by = |e, p, q| By::Edge(Name::Edge, e, Number(ratio(p, q)));
+        for (space, edges) in spaces().iter().zip([&triangle[..], &square, &square]) {
+            let shows = |c: &[Scalar], bound: BigRational, by: &By| shows(space, c, bound, by);
+            for (e, &polynomial) in edges.iter().enumerate() {
+                let c = quadratic(space, polynomial);
+                assert!(shows(&c, ratio(9, 8), &by(e, 3, 4)), "{:?} edge {e}", space.patch());
+                assert!(!shows(&c, ratio(9, 8), &by(e, 1, 4)));
+                assert!(!shows(&c, ratio(9, 8), &by(e, 5, 4)));
+                assert!(!shows(&c, ratio(9, 8), &by((e + 1) % edges.len(), 3, 4)));
+                assert!(!shows(&c, ratio(9, 8), &by(edges.len(), 3, 4)));
+                assert!(!shows(&c, ratio(1124, 1000), &by(e, 3, 4)));
+                assert!(!shows(&c, ratio(9, 8), &By::Alone(Name::Hull)));
+            }
         }
-        // An asymmetric one tells the direction: s (1 - s) (2 + ..): f = 3s - 2s^2 - .., its maximum at s = 3/4.
-        let c = quartic([0, 3, -9, -2, 0, 0]);
-        assert!(shows(&c, ratio(9, 8), &By::Edge(Name::Edge, 2, Number(ratio(3, 4)))));
-        assert!(!shows(&c, ratio(9, 8), &By::Edge(Name::Edge, 2, Number(ratio(1, 4)))));
     }
 }

@@ -1,53 +1,284 @@
-//! The claim in words.
+//! The claim as it is written: sections 3, 7 and 8 of FORMAT.md.
 
-use num_rational::BigRational;
+use std::ops::RangeInclusive;
 
-use crate::covering::text;
-use crate::file::{Claim, Kind, Norm, Scheme, Value, Weights};
-use crate::rational::decimal;
+use num_traits::Zero;
+use serde::de::{Deserialize, Deserializer, Error, IgnoredAny};
+use serde_json::value::RawValue;
 
-/// The claim in words: scheme, weights, valence, level, kind, norm, lo, hi, exact.
-pub fn in_words(claim: &Claim) -> String {
-    let (n, k) = (claim.valence, claim.level);
-    let (Scheme::Loop, Norm::Second) = (claim.scheme, claim.norm);
-    let weights = match claim.weights {
-        Weights::Original => "original",
-        Weights::Warren => "Warren's",
-    };
-    let constant = match (claim.kind, &claim.at) {
-        (Kind::Control, _) => format!("distance to the control mesh, C_{k}({n})"),
-        (Kind::Limit, _) => format!("distance to the limit mesh, B_{k}({n})"),
-        (Kind::Rate, _) => format!("rate round the extraordinary vertex, r_{k}({n})"),
-        (Kind::MeshRate, _) => "rate of the whole mesh".to_string(),
-        (Kind::Beta, _) => format!("bound of B_0({n}) by the method of HW"),
-        (Kind::Coefficient, Some(at)) => format!(
-            "coefficient {} over the word {} of S - F, F the limit mesh",
-            at.index,
-            text(&at.word.0)
-        ),
-        (Kind::Coefficient, None) => "coefficient".to_string(),
-    };
-    let exact = match &claim.exact {
-        None => String::new(),
-        Some(Value::Rational(r)) => format!(", exactly {}", number(&r.0)),
-        Some(Value::OverQ(list)) => {
-            let terms: Vec<_> =
-                list.iter().enumerate().map(|(k, c)| format!("{} beta^{k}", c.0)).collect();
-            format!(", exactly ({}) / (3 + 8 beta)", terms.join(" + "))
-        }
-    };
-    let (lo, hi) = (number(&claim.lo.0), number(&claim.hi.0));
-    format!(
-        "Loop, {weights} weights, valence {n}, level {k}: {constant}, in second differences, is from {lo} to {hi}{exact}"
-    )
+use crate::file::{Number, Value, Word, nullable, present};
+use crate::reject::{Outcome, Rule, ensure};
+use crate::scheme::Mesh;
+
+const VALENCES: RangeInclusive<usize> = 3..=400;
+/// Of Doo-Sabin, with its n (n - 1)/2 differences and n/2 cosines.
+const SIDES: RangeInclusive<usize> = 3..=64;
+const LEVELS: RangeInclusive<usize> = 0..=24;
+const COEFFICIENTS: RangeInclusive<usize> = 1..=64;
+/// The most forms on the right of an inequality.
+const FORMS: usize = 4096;
+
+/// The schemes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SchemeName {
+    Loop,
+    CatmullClark,
+    DooSabin,
 }
 
-/// A rational, with decimals if it is not an integer.
-fn number(x: &BigRational) -> String {
-    let written = x.to_string();
-    match (x.is_integer(), written.len() > 24) {
-        (true, _) => written,
-        (false, true) => decimal(x, 12),
-        (false, false) => format!("{written} = {}", decimal(x, 12)),
+/// The variants of Loop's vertex mask.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Weights {
+    Original,
+    Warren,
+}
+
+/// The norms; `second` is the only one of Loop's scheme, `face` that of Doo-Sabin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Norm {
+    Second,
+    First,
+    Face,
+}
+
+/// The kinds of constants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    Control,
+    Limit,
+    Rate,
+    MeshRate,
+    Beta,
+    Coefficient,
+}
+
+/// What a file claims, by its kind.
+#[derive(Clone, Debug)]
+pub enum Claim {
+    Constant(Constant),
+    Violation(Violation),
+    MeshViolation(MeshViolation),
+}
+
+/// The scheme that a claim is about.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    pub scheme: SchemeName,
+    /// For Loop's scheme.
+    pub weights: Option<Weights>,
+    pub valence: usize,
+}
+
+/// A constant is between lo and hi.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Constant {
+    pub scheme: SchemeName,
+    /// Absent unless the scheme is Loop's.
+    #[serde(default, deserialize_with = "present")]
+    pub weights: Option<Weights>,
+    pub valence: usize,
+    pub level: usize,
+    pub kind: Kind,
+    pub norm: Norm,
+    pub lo: Number,
+    pub hi: Number,
+    #[serde(deserialize_with = "nullable")]
+    pub exact: Option<Value>,
+    /// Absent unless the kind is `coefficient`.
+    #[serde(default, deserialize_with = "present")]
+    pub at: Option<Coefficient>,
+}
+
+/// A Bernstein coefficient over a word.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Coefficient {
+    pub word: Word,
+    pub index: usize,
+}
+
+/// `|left| <= factor max |right_i|` is false.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Violation {
+    pub scheme: SchemeName,
+    /// Absent unless the scheme is Loop's.
+    #[serde(default, deserialize_with = "present")]
+    pub weights: Option<Weights>,
+    pub valence: usize,
+    #[serde(rename = "kind")]
+    _kind: IgnoredAny,
+    pub left: Functional,
+    pub factor: Number,
+    pub right: Vec<Functional>,
+}
+
+/// A linear functional of the first net.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(untagged)]
+pub enum Functional {
+    Terms(Terms),
+    Against(Against),
+}
+
+/// A combination of points of the net of a word, labels from 1.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Terms {
+    pub word: Word,
+    pub terms: Vec<(usize, Number)>,
+}
+
+/// The difference of the surface and a mesh at a point of a word.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Against {
+    pub word: Word,
+    pub against: Mesh,
+    pub level: usize,
+    pub at: (Number, Number),
+}
+
+/// The one scheme of [`MeshViolation`].
+#[derive(Clone, Copy, Debug, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LoopOnly {
+    Loop,
+}
+
+/// An inequality is false for a closed mesh.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MeshViolation {
+    #[serde(rename = "scheme")]
+    _scheme: LoopOnly,
+    pub weights: Weights,
+    #[serde(rename = "kind")]
+    _kind: IgnoredAny,
+    pub inequality: Inequality,
+    pub level: usize,
+    pub vertices: Vec<[Number; 3]>,
+    /// Vertices from 1.
+    pub faces: Vec<[usize; 3]>,
+}
+
+/// The inequalities about meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Inequality {
+    Recurrence,
+    Rate,
+    Distance,
+}
+
+/// A claim, with the fields of its kind.
+pub fn by_kind<'de, D: Deserializer<'de>>(source: D) -> Result<Claim, D::Error> {
+    #[derive(serde::Deserialize)]
+    struct Named {
+        kind: String,
+    }
+    fn read<'a, T: Deserialize<'a>>(text: &'a str) -> serde_json::Result<T> {
+        serde_json::from_str(text)
+    }
+    let text = <&RawValue>::deserialize(source)?.get();
+    let claim = read::<Named>(text).and_then(|named| match &named.kind[..] {
+        "violation" => read(text).map(Claim::Violation),
+        "mesh-violation" => read(text).map(Claim::MeshViolation),
+        _ => read(text).map(Claim::Constant),
+    });
+    claim.map_err(|error| D::Error::custom(format!("in the claim: {error}")))
+}
+
+impl Claim {
+    /// Checks that the scheme has what is claimed, and the limits.
+    ///
+    /// # Errors
+    ///
+    /// If and only if it has not, or a limit is exceeded: rule `format`.
+    pub fn check(&self) -> Outcome<()> {
+        let rule = Rule::Format;
+        match self {
+            Self::Constant(claim) => {
+                claim.setting().check()?;
+                ensure!(claim.fits(), rule, "the scheme has no such kind or norm");
+                level(claim.level)
+            }
+            Self::Violation(claim) => {
+                claim.setting().check()?;
+                ensure!(claim.right.len() <= FORMS, rule, "more than {FORMS} forms");
+                for form in claim.right.iter().chain([&claim.left]) {
+                    if let Functional::Against(form) = form {
+                        let mesh =
+                            form.against == Mesh::Control || claim.scheme != SchemeName::DooSabin;
+                        ensure!(mesh, rule, "the scheme has no such mesh");
+                        level(form.level)?;
+                    }
+                }
+                Ok(())
+            }
+            Self::MeshViolation(claim) => level(claim.level),
+        }
+    }
+}
+
+fn level(level: usize) -> Outcome<()> {
+    ensure!(LEVELS.contains(&level), Rule::Format, "the level is not within {LEVELS:?}");
+    Ok(())
+}
+
+impl Setting {
+    fn check(&self) -> Outcome<()> {
+        let range = if self.scheme == SchemeName::DooSabin { SIDES } else { VALENCES };
+        let within = range.contains(&self.valence);
+        ensure!(within, Rule::Format, "the valence is not within {range:?}");
+        let weights = self.weights.is_some() == (self.scheme == SchemeName::Loop);
+        ensure!(weights, Rule::Format, "\"weights\" are for Loop's scheme and needed there");
+        Ok(())
+    }
+}
+
+impl Constant {
+    pub fn setting(&self) -> Setting {
+        Setting { scheme: self.scheme, weights: self.weights, valence: self.valence }
+    }
+
+    /// Checks the form of a value.
+    ///
+    /// # Errors
+    ///
+    /// If and only if it is a list that the format does not allow: rule `format`.
+    pub fn check_value(&self, value: &Value) -> Outcome<()> {
+        if let Value::OverQ(list) = value {
+            let ends = list.last().is_some_and(|last| !last.0.is_zero());
+            let whole = ends && COEFFICIENTS.contains(&list.len());
+            ensure!(whole, Rule::Format, "a list of coefficients ends with \"0\" or is too long");
+            let polynomials = self.scheme == SchemeName::Loop;
+            ensure!(polynomials, Rule::Format, "the values of this scheme are rationals");
+        }
+        Ok(())
+    }
+
+    /// True if the scheme has the norm and the kind.
+    fn fits(&self) -> bool {
+        use Kind::{Control, Limit, MeshRate, Rate};
+        match (self.scheme, self.norm) {
+            (SchemeName::Loop, Norm::Second) => true,
+            (SchemeName::CatmullClark, Norm::Second | Norm::First) => {
+                matches!(self.kind, Control | Limit | Rate | MeshRate)
+            }
+            (SchemeName::DooSabin, Norm::Face) => matches!(self.kind, Control | Rate),
+            _ => false,
+        }
+    }
+}
+
+impl Violation {
+    pub fn setting(&self) -> Setting {
+        Setting { scheme: self.scheme, weights: self.weights, valence: self.valence }
     }
 }

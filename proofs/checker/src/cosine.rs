@@ -1,45 +1,34 @@
-//! Beta, the sum of Loop's weights round a vertex, and the proof of an enclosure of cos(π/n).
+//! cos(2π/n), the proof of its enclosure, and beta, the sum of Loop's weights round a vertex.
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::file::Weights;
-use crate::polynomial::Beta;
+use crate::claim::Weights;
 use crate::rational::ratio;
+use crate::reject::{Outcome, Rejection, Rule, ensure};
+use crate::ring::Interval;
+
+/// cos(2π/n), if it is rational.
+fn rational_cosine(n: usize) -> Option<BigRational> {
+    [None, None, None, Some(-1), Some(0), None, Some(1)].get(n)?.map(|c| ratio(c, 2))
+}
+
+/// The cos(2πk/n), k = 0..n-1, if they are rational: `c_(k+1) = 2 c_1 c_k - c_(k-1)`.
+pub fn rational_cosines(n: usize) -> Option<Vec<BigRational>> {
+    let first = rational_cosine(n)?;
+    let next = |k: &[BigRational; 2]| [k[1].clone(), &first * &k[1] * ratio(2, 1) - &k[0]];
+    let start = [BigRational::one(), first.clone()];
+    Some(std::iter::successors(Some(start), |k| Some(next(k))).take(n).map(|[c, _]| c).collect())
+}
 
 /// Beta, if it is rational: always for `warren`, and where cos 2π/n is.
 pub fn rational_beta(weights: Weights, n: usize) -> Option<BigRational> {
     match (weights, n) {
         (Weights::Warren, 3) => Some(ratio(9, 16)),
         (Weights::Warren, _) => Some(ratio(3, 8)),
-        (Weights::Original, 3) => Some(beta_of(&ratio(-1, 2))),
-        (Weights::Original, 4) => Some(beta_of(&ratio(0, 1))),
-        (Weights::Original, 6) => Some(beta_of(&ratio(1, 2))),
-        _ => None,
+        (Weights::Original, _) => rational_cosine(n).map(|c| beta_of(&c)),
     }
-}
-
-/// The enclosure of beta of the original weights from `lo <= cos(π/n) < hi`.
-///
-/// # Errors
-///
-/// If and only if the rules of the format do not prove `lo <= cos(π/n) < hi`.
-pub fn enclose_beta(n: usize, lo: &BigRational, hi: &BigRational) -> Result<Beta, String> {
-    if lo.is_negative() || lo >= hi || hi > &BigRational::one() {
-        return Err("the enclosure of cos(π/n) is not 0 <= lo < hi <= 1".into());
-    }
-    if !chebyshev_signs(n, lo).contains(&num_bigint::Sign::Minus) {
-        return Err(format!("lo <= cos(π/{n}) is not shown: no U_k(lo) with k < n is negative"));
-    }
-    if chebyshev_signs(n, hi).iter().any(|sign| *sign != num_bigint::Sign::Plus) {
-        return Err(format!(
-            "cos(π/{n}) < hi is not shown: not all U_k(hi) with k < n are positive"
-        ));
-    }
-    // cos 2π/n = 2 cos^2(π/n) - 1 grows with cos(π/n) >= 0, and beta falls with it.
-    let double = |x: &BigRational| x * x * ratio(2, 1) - BigRational::one();
-    Ok(Beta::between(&beta_of(&double(hi)), &beta_of(&double(lo))))
 }
 
 /// 5/8 - (3/8 + c/4)^2, c = cos 2π/n.
@@ -48,8 +37,42 @@ fn beta_of(c: &BigRational) -> BigRational {
     ratio(5, 8) - &inner * &inner
 }
 
+type Ends<'a> = Option<(&'a BigRational, &'a BigRational)>;
+
+/// The enclosure of cos 2π/n from `lo <= cos(π/n) < hi`.
+///
+/// # Errors
+///
+/// If and only if there is none, or the rules of the format do not prove it: rule `cosine`.
+pub fn enclose(n: usize, ends: Ends) -> Outcome<Interval> {
+    double(n, ends).map(|[low, high]| Interval::outward(&low, &high))
+}
+
+/// The enclosure of beta of the original weights, which falls with cos 2π/n.
+///
+/// # Errors
+///
+/// As in [`enclose`].
+pub fn enclose_beta(n: usize, ends: Ends) -> Outcome<Interval> {
+    double(n, ends).map(|[low, high]| Interval::outward(&beta_of(&high), &beta_of(&low)))
+}
+
+/// The ends of cos 2π/n = 2 cos^2(π/n) - 1, which grows with cos(π/n) >= 0.
+fn double(n: usize, ends: Ends) -> Outcome<[BigRational; 2]> {
+    let rule = Rule::Cosine;
+    let missing = || Rejection::new(rule, "an enclosure of cos(π/n) is missing");
+    let (lo, hi) = ends.ok_or_else(missing)?;
+    let ordered = !lo.is_negative() && lo < hi && hi <= &BigRational::one();
+    ensure!(ordered, rule, "the enclosure of cos(π/n) is not 0 <= lo < hi <= 1");
+    let below = chebyshev_signs(n, lo).contains(&Sign::Minus);
+    ensure!(below, rule, "lo <= cos(π/{n}) is not shown: no U_k(lo) with k < n is negative");
+    let above = chebyshev_signs(n, hi).iter().all(|sign| *sign == Sign::Plus);
+    ensure!(above, rule, "cos(π/{n}) < hi is not shown: not all U_k(hi) with k < n are positive");
+    Ok([lo, hi].map(|x| x * x * ratio(2, 1) - BigRational::one()))
+}
+
 /// The signs of U_0(x), .., U_(n-1)(x), the Chebyshev polynomials of the second kind.
-fn chebyshev_signs(n: usize, x: &BigRational) -> Vec<num_bigint::Sign> {
+fn chebyshev_signs(n: usize, x: &BigRational) -> Vec<Sign> {
     // With x = a/b and V_k = b^k U_k: V_(k+1) = 2a V_k - b^2 V_(k-1).
     let (twice, square) = (x.numer() * 2, x.denom() * x.denom());
     let (mut before, mut now) = (BigInt::zero(), BigInt::one());
@@ -66,9 +89,11 @@ fn chebyshev_signs(n: usize, x: &BigRational) -> Vec<num_bigint::Sign> {
 mod tests {
     use super::*;
     use crate::rational::parse;
+    use crate::ring::Ring;
+    use crate::scalar::Scalar;
 
-    fn enclose(n: usize, lo: &str, hi: &str) -> Result<Beta, String> {
-        enclose_beta(n, &parse(lo).unwrap(), &parse(hi).unwrap())
+    fn enclose(n: usize, lo: &str, hi: &str) -> Outcome<Interval> {
+        enclose_beta(n, Some((&parse(lo).unwrap(), &parse(hi).unwrap())))
     }
 
     #[test]
@@ -87,6 +112,7 @@ mod tests {
         assert!(enclose(7, "91/100", "9/10").is_err());
         assert!(enclose(7, "-1/2", "91/100").is_err());
         assert!(enclose(7, "9/10", "11/10").is_err());
+        assert!(enclose_beta(7, None).is_err());
     }
 
     #[test]
@@ -95,13 +121,18 @@ mod tests {
         for (n, lo, hi) in
             [(6, "4330127/5000000", "1732051/2000000"), (4, "7071067/10000000", "1767767/2500000")]
         {
-            let beta = enclose(n, lo, hi).unwrap();
+            let ring = Ring::Powers(enclose(n, lo, hi).unwrap());
             let exact = rational_beta(Weights::Original, n).unwrap();
-            assert!((beta.middle() - exact).abs() < ratio(1, 1_000_000));
+            assert!((ring.near(&Scalar::generator(1)) - exact).abs() < ratio(1, 1_000_000));
         }
         assert_eq!(rational_beta(Weights::Original, 3), Some(ratio(9, 16)));
         assert_eq!(rational_beta(Weights::Original, 4), Some(ratio(31, 64)));
         assert_eq!(rational_beta(Weights::Original, 6), Some(ratio(3, 8)));
         assert_eq!(rational_beta(Weights::Original, 5), None);
+        let list = |list: &[i64]| Some(list.iter().map(|&c| ratio(c, 2)).collect::<Vec<_>>());
+        assert_eq!(rational_cosines(3), list(&[2, -1, -1]));
+        assert_eq!(rational_cosines(4), list(&[2, 0, -2, 0]));
+        assert_eq!(rational_cosines(6), list(&[2, 1, -1, -2, -1, 1]));
+        assert!([0, 1, 2, 5, 7, 12].iter().all(|&n| rational_cosines(n).is_none()));
     }
 }

@@ -8,12 +8,12 @@ use crate::word::{is_regular, mirrored};
 /// The most cells of a step.
 const CELLS: usize = 1 << 16;
 
-/// Shows that the cells cover the word of `whole` zeros, the word of `tail >= whole` zeros apart.
+/// Shows that the cells cover the word `whole`, apart from the word `tail`, both of zeros.
 ///
 /// # Errors
 ///
 /// If and only if they do not, or a cell takes no part: rule `covering`.
-pub fn check(whole: usize, tail: usize, cells: &[&[u8]]) -> Outcome<()> {
+pub fn check(whole: &[u8], tail: &[u8], cells: &[&[u8]]) -> Outcome<()> {
     let rule = Rule::Covering;
     ensure!(cells.len() <= CELLS, Rule::Format, "more than {CELLS} cells in a step");
     let mut places = HashMap::new();
@@ -25,15 +25,14 @@ pub fn check(whole: usize, tail: usize, cells: &[&[u8]]) -> Outcome<()> {
         places.insert(word.to_vec(), i);
         places.insert(image, i);
     }
-    let zeros = vec![0; tail];
-    let words = places.keys().chain([&zeros]);
+    let words = places.keys().map(Vec::as_slice).chain([tail]);
     let beginnings: HashSet<_> =
         words.flat_map(|word| (0..word.len()).map(|i| &word[..i])).collect();
     let mut used = vec![false; cells.len()];
-    let mut open = vec![vec![0; whole]];
+    let mut open = vec![whole.to_vec()];
     // Each word taken up is covered itself, or all four parts of it are put up.
     while let Some(word) = open.pop() {
-        if word.len() == tail && !is_regular(&word) {
+        if word == tail {
             continue;
         }
         if let Some(&i) = places.get(&word) {
@@ -65,7 +64,8 @@ mod tests {
     fn covers(whole: usize, tail: usize, words: &[&str]) -> bool {
         let words: Vec<Vec<u8>> =
             words.iter().map(|word| word.bytes().map(|b| b - b'0').collect()).collect();
-        check(whole, tail, &words.iter().map(Vec::as_slice).collect::<Vec<_>>()).is_ok()
+        check(&vec![0; whole], &vec![0; tail], &words.iter().map(Vec::as_slice).collect::<Vec<_>>())
+            .is_ok()
     }
 
     #[test]

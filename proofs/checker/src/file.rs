@@ -1,11 +1,9 @@
-//! The certificate as it is written: section 3 of FORMAT.md.
-
-use std::ops::RangeInclusive;
+//! The certificate as it is written: sections 3 and 7 of FORMAT.md.
 
 use num_rational::BigRational;
-use num_traits::Zero;
 use serde::de::{Deserialize, Deserializer, Error};
 
+use crate::claim::{Claim, by_kind};
 use crate::rational;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 
@@ -13,9 +11,6 @@ use crate::reject::{Outcome, Rejection, Rule, ensure};
 pub const BYTES: usize = 64 << 20;
 /// The most letters of a word, and the most that the depth and the steps of a lemma come to.
 pub const LETTERS: usize = 40;
-const VALENCES: RangeInclusive<usize> = 3..=400;
-const LEVELS: RangeInclusive<usize> = 0..=24;
-const COEFFICIENTS: RangeInclusive<usize> = 1..=64;
 
 /// A rational in its one written form.
 #[derive(Clone, Debug)]
@@ -60,72 +55,13 @@ pub type Cite = usize;
 pub struct File {
     format: String,
     version: u32,
+    #[serde(deserialize_with = "by_kind")]
     pub claim: Claim,
     #[serde(deserialize_with = "nullable")]
     pub cosine: Option<(Number, Number)>,
     /// Increasing lists of indices from 1.
     pub bases: Vec<Vec<usize>>,
     pub steps: Vec<Step>,
-}
-
-/// The one scheme of version 1.
-#[derive(Clone, Copy, Debug, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Scheme {
-    Loop,
-}
-
-/// The variants of Loop's vertex mask.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Weights {
-    Original,
-    Warren,
-}
-
-/// The one norm of version 1.
-#[derive(Clone, Copy, Debug, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Norm {
-    Second,
-}
-
-/// The kinds of constants.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Kind {
-    Control,
-    Limit,
-    Rate,
-    MeshRate,
-    Beta,
-    Coefficient,
-}
-
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Claim {
-    pub scheme: Scheme,
-    pub weights: Weights,
-    pub valence: usize,
-    pub level: usize,
-    pub kind: Kind,
-    pub norm: Norm,
-    pub lo: Number,
-    pub hi: Number,
-    #[serde(deserialize_with = "nullable")]
-    pub exact: Option<Value>,
-    /// Absent unless the kind is `coefficient`.
-    #[serde(default, deserialize_with = "present")]
-    pub at: Option<Coefficient>,
-}
-
-/// A Bernstein coefficient over a word.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Coefficient {
-    pub word: Word,
-    pub index: usize,
 }
 
 #[derive(Debug, serde::Deserialize)]
@@ -139,6 +75,10 @@ pub enum Step {
     Apply(Apply),
     Differences(Differences),
     Weight(Weight),
+    Violated(Violated),
+    Recurrence(Nothing),
+    Rate(Nothing),
+    Distance(Distance),
 }
 
 #[derive(Debug, serde::Deserialize)]
@@ -229,15 +169,32 @@ pub struct Weight {
     pub basis: Cite,
 }
 
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Violated {
+    pub net: Vec<Number>,
+}
+
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Nothing {}
+
+/// An edge, its vertices from 1.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Distance {
+    pub edge: [usize; 2],
+}
+
 /// A regular word, its bases, and how it is shown.
 pub type Cell = (Word, Bases, By);
 
-/// One basis for all fifteen functionals of a cell, or one for each.
+/// One basis for all functionals of a cell, or one for each.
 #[derive(Debug, serde::Deserialize)]
 #[serde(untagged)]
 pub enum Bases {
     One(Cite),
-    Each([Cite; 15]),
+    Each(Vec<Cite>),
 }
 
 /// How a cell is shown; whether the name is that of the form, `cells` finds out.
@@ -263,12 +220,14 @@ pub enum Name {
 type Optional<T, E> = Result<Option<T>, E>;
 
 /// A field that must be there, with null allowed.
-fn nullable<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Optional<T, D::Error> {
+pub fn nullable<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+    source: D,
+) -> Optional<T, D::Error> {
     Option::deserialize(source)
 }
 
 /// A field that may be absent, with null not allowed.
-fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Optional<T, D::Error> {
+pub fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Optional<T, D::Error> {
     T::deserialize(source).map(Some)
 }
 
@@ -278,24 +237,19 @@ fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(source: D) -> Optiona
 ///
 /// If and only if the text is not a certificate of version 1 within the limits: rule `format`.
 pub fn read(bytes: &[u8]) -> Outcome<File> {
-    ensure!(bytes.len() <= BYTES, Rule::Format, "the file has more than 64 MiB");
-    let wrong = |error: serde_json::Error| Rejection::new(Rule::Format, error.to_string());
+    let rule = Rule::Format;
+    ensure!(bytes.len() <= BYTES, rule, "the file has more than 64 MiB");
+    let wrong = |error: serde_json::Error| Rejection::new(rule, error.to_string());
     let file: File = serde_json::from_slice(bytes).map_err(wrong)?;
     let known = file.format == "subcert" && file.version == 1;
-    ensure!(known, Rule::Format, "not format \"subcert\", version 1");
-    let (n, level) = (file.claim.valence, file.claim.level);
-    ensure!(VALENCES.contains(&n), Rule::Format, "the valence is not within {VALENCES:?}");
-    ensure!(LEVELS.contains(&level), Rule::Format, "the level is not within {LEVELS:?}");
-    let bounds = file.steps.iter().filter_map(|step| match step {
-        Step::Lemma(lemma) => Some(&lemma.bound),
-        _ => None,
-    });
-    for value in file.claim.exact.iter().chain(bounds) {
-        if let Value::OverQ(list) = value {
-            let ends = list.last().is_some_and(|last| !last.0.is_zero());
-            let whole = ends && COEFFICIENTS.contains(&list.len());
-            ensure!(whole, Rule::Format, "a list of coefficients ends with \"0\" or is too long");
-        }
+    ensure!(known, rule, "not format \"subcert\", version 1");
+    file.claim.check()?;
+    if let Claim::Constant(claim) = &file.claim {
+        let bounds = file.steps.iter().filter_map(|step| match step {
+            Step::Lemma(lemma) => Some(&lemma.bound),
+            _ => None,
+        });
+        claim.exact.iter().chain(bounds).try_for_each(|value| claim.check_value(value))?;
     }
     Ok(file)
 }

@@ -1,16 +1,17 @@
-//! Linear forms in the points of the first net, with polynomials in beta as coefficients.
+//! Linear forms in the points of the first net, with scalars as coefficients.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use crate::polynomial::{Polynomial, add_product};
+use crate::ring::Ring;
+use crate::scalar::{Scalar, add_product};
 
-/// `Σ_i y_i Σ_k num[i width + k] beta^k / den`, i from 0.
+/// `Σ_i y_i Σ_k num[i width + k] g_k / den`, i from 0.
 #[derive(Clone, Debug)]
 pub struct Form {
-    /// How many coefficients each polynomial has.
+    /// How many coefficients each scalar has.
     pub width: usize,
     /// The numerators, point by point.
     pub num: Vec<BigInt>,
@@ -31,18 +32,33 @@ impl Form {
     }
 
     /// `Σ p f` over the terms (p, f), all of `size` points.
-    pub fn sum(size: usize, terms: &[(&Polynomial, &Form)]) -> Self {
+    pub fn sum(ring: &Ring, size: usize, terms: &[(&Scalar, &Form)]) -> Self {
         let terms = || terms.iter().filter(|(p, _)| !p.is_zero());
-        let width = terms().map(|(p, f)| p.num.len() - 1 + f.width).max().unwrap_or(1);
-        let den = terms().fold(BigInt::one(), |den, (p, f)| den.lcm(&(&p.den * &f.den)));
+        let width = terms().map(|(p, f)| ring.width(p.num.len(), f.width)).max().unwrap_or(1);
+        let mut den = terms().fold(BigInt::one(), |den, (p, f)| den.lcm(&(&p.den * &f.den)));
+        if matches!(ring, Ring::Cosines(..)) && terms().any(|(p, _)| p.num.len() > 1) {
+            den *= 2; // for the halves in a product
+        }
         let mut num = vec![BigInt::zero(); size * width];
         for (p, f) in terms() {
             let scale = &den / (&p.den * &f.den);
-            for (k, c) in p.num.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
+            for (j, c) in p.num.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
                 let factor = c * &scale;
                 for (sums, numbers) in num.chunks_mut(width).zip(f.num.chunks(f.width)) {
-                    let both = sums[k..].iter_mut().zip(numbers);
-                    both.for_each(|(sum, x)| add_product(sum, &factor, x));
+                    match ring {
+                        Ring::Cosines(n, _) if j > 0 => {
+                            let half = &factor / 2;
+                            for (k, x) in numbers.iter().enumerate() {
+                                for at in Ring::fold(*n, j, k) {
+                                    add_product(&mut sums[at], &half, x);
+                                }
+                            }
+                        }
+                        _ => {
+                            let both = sums[j..].iter_mut().zip(numbers);
+                            both.for_each(|(sum, x)| add_product(sum, &factor, x));
+                        }
+                    }
                 }
             }
         }
@@ -51,18 +67,18 @@ impl Form {
 
     /// `Σ c f` over the terms (c, f), all of `size` points.
     pub fn mix(size: usize, terms: &[(BigRational, &Form)]) -> Self {
-        let constants: Vec<_> = terms.iter().map(|(c, _)| Polynomial::constant(c)).collect();
+        let constants: Vec<_> = terms.iter().map(|(c, _)| Scalar::constant(c)).collect();
         let terms: Vec<_> = constants.iter().zip(terms.iter().map(|(_, f)| *f)).collect();
-        Self::sum(size, &terms)
+        Self::sum(&Ring::RATIONALS, size, &terms)
     }
 
-    /// The value at the net `net / den`: a polynomial in beta.
-    pub fn at(&self, net: &[BigInt], den: &BigInt) -> Polynomial {
+    /// The value at the net `net / den`.
+    pub fn at(&self, net: &[BigInt], den: &BigInt) -> Scalar {
         let mut num = vec![BigInt::zero(); self.width];
         for (c, y) in self.num.chunks(self.width).zip(net) {
             num.iter_mut().zip(c).for_each(|(sum, c)| *sum += c * y);
         }
-        Polynomial::new(num, den * &self.den)
+        Scalar::new(num, den * &self.den)
     }
 
     /// The words of the longest number.

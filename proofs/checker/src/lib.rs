@@ -1,37 +1,51 @@
-//! Checks certificates for Loop's constants: an independent reading of `proofs/FORMAT.md`.
+//! Checks certificates for Loop's, Catmull-Clark's and Doo-Sabin's schemes: an independent reading of
+//! `proofs/FORMAT.md`.
 //!
 //! Integers and rationals only; the masks, nets and forms are rebuilt from the claim. The verdict by default is
 //! rejection: [`check`] ends in `Ok` in one place, after every step has been checked.
 //!
 //! | file | section of FORMAT.md |
 //! |---|---|
-//! | `file`, `rational`, `reject` | 3: the file; numbers; the names of the rules |
-//! | `space`, `polynomial`, `cosine` | 2: q, beta and its enclosure, what it decides |
-//! | `net`, `word`, `form`, `target` | 1: nets, refinement, tiles, words, the surface, targets |
+//! | `file`, `claim`, `words`, `rational`, `reject` | 3: the file; the claim, in words; numbers; the names of the rules |
+//! | `scalar`, `ring`, `cosine` | 2, 8: coefficients, their enclosures, what these decide |
+//! | `scheme`: `loop_scheme`, `lattice`, `catmull_clark`, `doo_sabin` | 1, 8: a scheme's masks and differences |
+//! | `space`, `patch`, `word`, `form`, `net`, `target` | 1, 8: the claim's setting, Bernstein forms, words, nets, targets |
 //! | `basis` | 3: bases, multipliers, weights |
 //! | `proof`, `region`, `cells`, `covering` | 4: the rules |
+//! | `violation`, `mesh` | 7: violated inequalities |
 
 #![forbid(unsafe_code)]
 
 use std::panic::catch_unwind;
 
 mod basis;
+mod catmull_clark;
 mod cells;
 mod claim;
 mod cosine;
 mod covering;
+mod doo_sabin;
 mod file;
 mod form;
+mod lattice;
+mod loop_scheme;
+mod mesh;
 mod net;
-mod polynomial;
+mod patch;
 mod proof;
 mod rational;
 mod region;
 pub mod reject;
+mod ring;
+mod scalar;
+mod scheme;
 mod space;
 mod target;
+mod violation;
 mod word;
+mod words;
 
+use claim::Claim;
 pub use file::BYTES;
 use reject::{Outcome, Rejection, Rule};
 
@@ -59,12 +73,18 @@ pub fn check(bytes: &[u8]) -> Verdict {
 
 fn examine(bytes: &[u8]) -> Verdict {
     match file::read(bytes) {
-        Ok(file) => Verdict { claim: Some(claim::in_words(&file.claim)), outcome: prove(&file) },
+        Ok(file) => Verdict { claim: Some(words::in_words(&file.claim)), outcome: prove(&file) },
         Err(rejection) => rejection.into(),
     }
 }
 
 fn prove(file: &file::File) -> Outcome<()> {
-    let space = space::Space::new(file)?;
-    proof::Proof::new(file, &space)?.check()
+    match &file.claim {
+        Claim::Constant(claim) => {
+            let space = space::Space::new(&claim.setting(), claim.norm, file.cosine.as_ref())?;
+            proof::Proof::new(file, claim, &space)?.check()
+        }
+        Claim::Violation(claim) => violation::check(file, claim),
+        Claim::MeshViolation(claim) => mesh::check(file, claim),
+    }
 }

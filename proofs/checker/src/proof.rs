@@ -8,19 +8,21 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::basis::Basis;
+use crate::claim::{Constant, Kind};
 use crate::covering::text;
 use crate::file::{
-    Apply, Attained, AttainedTile, Cite, Claim, Differences, File, Kind, Lemma, Number, Place,
-    Step, Weight, Word,
+    Apply, Attained, AttainedTile, Cite, Differences, File, Lemma, Number, Place, Step, Weight,
+    Word,
 };
 use crate::form::Form;
 use crate::net::Path;
-use crate::polynomial::Polynomial;
 use crate::rational::decimal;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
+use crate::scalar::Scalar;
+use crate::scheme::Mesh;
 use crate::space::Space;
-use crate::target::{Mesh, Target};
-use crate::word::{bernstein, is_in_triangle, is_regular, is_tile, mirrored};
+use crate::target::Target;
+use crate::word::{is_regular, is_tile, mirrored};
 
 /// The most terms of all bases' programs together, for memory's sake.
 const TERMS: u64 = 1 << 24;
@@ -28,26 +30,53 @@ const TERMS: u64 = 1 << 24;
 const NET_BITS: u64 = 1 << 16;
 const ORDER: &str = "the steps are not one attained, lemmas and one conclusion, in this order";
 
-/// A certificate with everything that its steps need.
+/// A certificate of a constant with everything that its steps need.
 pub struct Proof<'a> {
-    pub file: &'a File,
+    file: &'a File,
+    pub claim: &'a Constant,
     pub space: &'a Space,
     bases: Vec<Basis>,
     /// What the attained value reaches, times q.
-    lower: Polynomial,
+    lower: Scalar,
     /// What the conclusion bounds the constant by, times q.
-    pub upper: Polynomial,
+    pub upper: Scalar,
 }
 
 /// The target of a claim other than a rate.
-pub fn target(claim: &Claim) -> Target {
+pub fn target(claim: &Constant) -> Target {
     let mesh = if claim.kind == Kind::Control { Mesh::Control } else { Mesh::Limit };
     Target { mesh, level: claim.level }
 }
 
 /// True if the claim, a rate, is about the net of this word.
-fn names(claim: &Claim, Word(word): &Word) -> bool {
+fn names(claim: &Constant, Word(word): &Word) -> bool {
     word.len() == claim.level && (claim.kind == Kind::MeshRate || !is_regular(word))
+}
+
+/// The points of a net over their common denominator.
+///
+/// # Errors
+///
+/// If and only if there are not as many as the first net has: the rule given; or the denominator is too large.
+pub fn numerators(space: &Space, net: &[Number], rule: Rule) -> Outcome<(Vec<BigInt>, BigInt)> {
+    ensure!(net.len() == space.size, rule, "{} points, not {}", net.len(), space.size);
+    let mut den = BigInt::one();
+    for Number(y) in net {
+        den = den.lcm(y.denom());
+        ensure!(den.bits() <= NET_BITS, Rule::Format, "the net's denominators are too large");
+    }
+    Ok((net.iter().map(|Number(y)| y.numer() * (&den / y.denom())).collect(), den))
+}
+
+/// True for a part of the root with as many letters as the mesh of the claim's level has.
+pub fn is_in_mesh(space: &Space, level: usize, word: &[u8]) -> bool {
+    let root = space.scheme.root();
+    word.len() >= level + root && !is_regular(&word[..root])
+}
+
+/// True for a point at which the target of a word is known: any of a regular word, the corner 0 of another.
+pub fn is_known(space: &Space, word: &[u8], point: &[BigRational; 2]) -> bool {
+    space.patch().contains(point) && (is_regular(word) || point.iter().all(Zero::is_zero))
 }
 
 impl<'a> Proof<'a> {
@@ -56,8 +85,8 @@ impl<'a> Proof<'a> {
     /// # Errors
     ///
     /// If and only if they are not as the format says: rule `claim` or `bases`.
-    pub fn new(file: &'a File, space: &'a Space) -> Outcome<Self> {
-        let (claim, rule) = (&file.claim, Rule::Claim);
+    pub fn new(file: &'a File, claim: &'a Constant, space: &'a Space) -> Outcome<Self> {
+        let rule = Rule::Claim;
         let (lo, hi) = (space.q.scale(&claim.lo.0), space.q.scale(&claim.hi.0));
         let exact = claim.exact.as_ref().map(|value| space.value(value));
         space.at_most(&lo, &hi, rule, "lo and hi")?;
@@ -86,7 +115,7 @@ impl<'a> Proof<'a> {
             bases.push(basis);
         }
         let (lower, upper) = (exact.clone().unwrap_or(lo), exact.unwrap_or(hi));
-        Ok(Self { file, space, bases, lower, upper })
+        Ok(Self { file, claim, space, bases, lower, upper })
     }
 
     /// Checks every step: the first attains the lower target, the last proves the upper one.
@@ -111,7 +140,7 @@ impl<'a> Proof<'a> {
             _ => last,
         };
         ensure!(in_place, Rule::Format, "{ORDER}");
-        match (step, self.file.claim.kind) {
+        match (step, self.claim.kind) {
             (Step::AttainedTile(step), Kind::Beta) => self.attained_tile(step),
             (Step::Attained(step), kind) if kind != Kind::Beta => self.attained(step),
             (Step::Lemma(step), _) => self.lemma(step),
@@ -125,7 +154,7 @@ impl<'a> Proof<'a> {
     }
 
     /// The weight (times q) of a form (times q) in a basis.
-    pub fn weight(&self, cite: Cite, form: &Form) -> Outcome<Polynomial> {
+    pub fn weight(&self, cite: Cite, form: &Form) -> Outcome<Scalar> {
         let missing = || Rejection::new(Rule::Bases, format!("there is no basis {cite}"));
         self.bases.get(cite).ok_or_else(missing)?.weight(self.space, form)
     }
@@ -138,22 +167,15 @@ impl<'a> Proof<'a> {
         }
     }
 
-    /// The numerators and the denominator of a net with second differences of at most 1.
+    /// The numerators and the denominator of a net with differences of at most 1.
     fn net(&self, net: &[Number], rule: Rule) -> Outcome<(Vec<BigInt>, BigInt)> {
-        let space = self.space;
-        let net: Vec<BigRational> = net.iter().map(|y| y.0.clone()).collect();
-        ensure!(net.len() == space.size, rule, "{} points, not {}", net.len(), space.size);
+        let (space, (num, den)) = (self.space, numerators(self.space, net, rule)?);
         for (l, row) in space.rows.iter().enumerate() {
-            let value = row.iter().map(|(i, c)| &net[*i] * c).sum::<BigRational>().abs();
-            let small = value <= BigRational::one();
-            ensure!(small, rule, "second difference {}: {} > 1", l + 1, decimal(&value, 12));
+            let value = row.iter().map(|(i, c)| &num[*i] * c).sum::<BigInt>().abs();
+            let shown = || decimal(&BigRational::new(value.clone(), den.clone()), 12);
+            ensure!(value <= den, rule, "difference {}: {} > 1", l + 1, shown());
         }
-        let mut den = BigInt::one();
-        for y in &net {
-            den = den.lcm(y.denom());
-            ensure!(den.bits() <= NET_BITS, Rule::Format, "the net's denominators are too large");
-        }
-        Ok((net.iter().map(|y| y.numer() * (&den / y.denom())).collect(), den))
+        Ok((num, den))
     }
 
     fn attained(&self, step: &Attained) -> Outcome<()> {
@@ -165,15 +187,15 @@ impl<'a> Proof<'a> {
 
     fn attained_tile(&self, step: &AttainedTile) -> Outcome<()> {
         let (space, rule) = (self.space, Rule::AttainedTile);
-        let (Word(word), Number(v), Number(w)) = (&step.word, &step.v, &step.w);
-        ensure!(is_tile(word) && is_in_triangle(v, w), rule, "no point of a tile");
+        let (Word(word), point) = (&step.word, [step.v.0.clone(), step.w.0.clone()]);
+        ensure!(is_tile(word) && space.patch().contains(&point), rule, "no point of a tile");
         ensure!(step.nets.len() == 15, rule, "{} nets, not 15", step.nets.len());
-        let forms = target(&self.file.claim).coefficients(space, &mut Path::new(space), word)?;
-        let mut reached = Polynomial::integer(0);
-        for ((form, net), b) in forms.iter().zip(&step.nets).zip(bernstein(4, v, w)) {
+        let forms = target(self.claim).coefficients(space, &mut Path::new(space), word)?;
+        let mut reached = Scalar::integer(0);
+        for ((form, net), b) in forms.iter().zip(&step.nets).zip(space.patch().value(&point)) {
             let (net, den) = self.net(net, rule)?;
             let value = form.at(&net, &den).scale(&b);
-            match value.sign(&space.beta) {
+            match space.ring.sign(&value) {
                 Some(Sign::Plus) => reached = &reached + &value,
                 Some(Sign::Minus) => reached = &reached - &value,
                 _ => (),
@@ -184,22 +206,23 @@ impl<'a> Proof<'a> {
 
     /// The form (times q) whose value is claimed to be attained.
     fn place(&self, step: &Attained) -> Outcome<Form> {
-        let (space, claim, rule) = (self.space, &self.file.claim, Rule::Attained);
+        let (space, claim, rule) = (self.space, self.claim, Rule::Attained);
         let mut path = Path::new(space);
         match (&step.at, claim.kind, &claim.at) {
             (Some(Place::Point(at)), Kind::Control | Kind::Limit, _) => {
-                let (Word(word), Number(v), Number(w)) = (&at.word, &at.v, &at.w);
-                let valid = is_regular(word) || (v.is_zero() && w.is_zero());
-                let valid = valid && word.len() >= claim.level && is_in_triangle(v, w);
+                let (Word(word), point) = (&at.word, [at.v.0.clone(), at.w.0.clone()]);
+                let valid = is_in_mesh(space, claim.level, word) && is_known(space, word, &point);
                 ensure!(valid, rule, "no point of the target");
-                target(claim).at_point(space, &mut path, word, v, w)
+                target(claim).at_point(space, &mut path, word, &point)
             }
             (Some(Place::Difference(at)), Kind::Rate | Kind::MeshRate, _) => {
                 ensure!(names(claim, &at.word), rule, "no net of the claim");
-                let differences = path.along(&at.word.0)?[claim.level].differences();
-                let difference = at.difference.checked_sub(1).and_then(|l| differences.get(l));
+                let rows = space.differences(is_regular(&at.word.0));
+                let row = at.difference.checked_sub(1).and_then(|l| rows.get(l));
                 let missing = || Rejection::new(rule, "no difference of the net");
-                Ok(Form::sum(space.size, &[(&space.q, difference.ok_or_else(missing)?)]))
+                let row = row.ok_or_else(missing)?;
+                let difference = path.along(&at.word.0)?[claim.level].difference(row);
+                Ok(Form::sum(&space.ring, space.size, &[(&space.q, &difference)]))
             }
             (None, Kind::Coefficient, Some(at)) => {
                 Ok(target(claim).coefficients(space, &mut path, &at.word.0)?.swap_remove(at.index))
@@ -211,13 +234,13 @@ impl<'a> Proof<'a> {
     fn apply(&self, step: &Apply, i: usize) -> Outcome<()> {
         let (space, rule) = (self.space, Rule::Apply);
         let lemma = self.earlier_lemma(step.lemma, i, rule)?;
-        let fits = lemma.depth == 0 && self.file.claim.level == 0;
+        let fits = lemma.depth == 0 && self.claim.level == 0;
         ensure!(fits, rule, "only a lemma of depth 0 applies, and only to level 0");
         space.at_most(&space.value(&lemma.bound), &self.upper, rule, "the lemma's bound")
     }
 
     fn differences(&self, step: &Differences) -> Outcome<()> {
-        let (space, claim, rule) = (self.space, &self.file.claim, Rule::Differences);
+        let (space, claim, rule) = (self.space, self.claim, Rule::Differences);
         let mut seen = HashSet::new();
         for (word, _) in &step.words {
             let written = text(&word.0);
@@ -231,11 +254,12 @@ impl<'a> Proof<'a> {
         ensure!(seen.len() as u64 == whole, rule, "{} words of {whole} are there", seen.len());
         let mut path = Path::new(space);
         for (word, bases) in &step.words {
-            let differences = path.along(&word.0)?[claim.level].differences();
-            let (count, given) = (differences.len(), bases.len());
+            let rows = space.differences(is_regular(&word.0));
+            let (count, given) = (rows.len(), bases.len());
             ensure!(count == given, rule, "{given} bases for {count} differences");
-            for (l, (difference, &cite)) in differences.iter().zip(bases).enumerate() {
-                let form = Form::sum(space.size, &[(&space.q, difference)]);
+            let net = &path.along(&word.0)?[claim.level];
+            for (l, (row, &cite)) in rows.iter().zip(bases).enumerate() {
+                let form = Form::sum(&space.ring, space.size, &[(&space.q, &net.difference(row))]);
                 let name = format!("word {}, difference {}: the weight", text(&word.0), l + 1);
                 space.at_most(&self.weight(cite, &form)?, &self.upper, rule, name)?;
             }

@@ -57,6 +57,16 @@ rules! {
     Covering = "covering",
     /// A tail.
     Tail = "tail",
+    /// A violated inequality about nets.
+    Violated = "violated",
+    /// A mesh that is not closed, or too large.
+    Mesh = "mesh",
+    /// The inequality of that name about meshes holds.
+    Recurrence = "recurrence",
+    /// The inequality of that name about meshes holds.
+    Rate = "rate",
+    /// The inequality of that name about meshes holds.
+    Distance = "distance",
 }
 
 /// Why a certificate is rejected.

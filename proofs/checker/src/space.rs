@@ -1,64 +1,120 @@
-//! What a claim fixes: valence, beta, q, the second differences; and the work allowed for it.
+//! What a claim fixes: scheme, valence, ring, the differences; and the work allowed for it.
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
 use std::fmt::Display;
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Zero;
 
-use crate::file::{File, Number, Value};
-use crate::net::{edges, opposite};
-use crate::polynomial::{Beta, Polynomial};
-use crate::rational::{contrast, ratio};
+use crate::basis;
+use crate::catmull_clark::CatmullClark;
+use crate::claim::{Norm, SchemeName, Setting, Weights};
+use crate::cosine;
+use crate::doo_sabin::DooSabin;
+use crate::file::{Number, Value};
+use crate::loop_scheme::Loop;
+use crate::patch::Patch;
+use crate::rational::contrast;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
-use crate::{basis, cosine};
+use crate::ring::Ring;
+use crate::scalar::Scalar;
+use crate::scheme::{Mask, Row, Scheme};
 
 /// Elementary operations allowed for one file: a few minutes.
 const WORK: u64 = 20_000_000_000;
 
-/// A second difference: labels (from 0) and coefficients.
-pub type Row = Vec<(usize, BigInt)>;
-
 /// The setting of a claim.
 pub struct Space {
+    pub scheme: Box<dyn Scheme>,
     pub n: usize,
-    /// n + 6, the number of points.
+    /// The number of points.
     pub size: usize,
-    pub beta: Beta,
-    /// 3 + 8 beta.
-    pub q: Polynomial,
-    /// The second differences.
+    pub ring: Ring,
+    /// Loop's beta; zero for the other schemes, whose values are rationals.
+    beta: Scalar,
+    /// What every target is times: 3 + 8 beta for Loop's scheme, 1 for the others.
+    pub q: Scalar,
+    /// q times the Bernstein coefficients of S over a regular net.
+    pub surface: Vec<Mask>,
+    /// The differences of the first net.
     pub rows: Vec<Row>,
-    /// Their rank.
+    /// The differences of a regular net.
+    pub regular_rows: Vec<Row>,
+    /// The rank of the first net's.
     pub rank: usize,
     work: Cell<u64>,
 }
 
 impl Space {
-    /// The setting of a file's claim.
+    /// The setting of a claim.
     ///
     /// # Errors
     ///
     /// If and only if the enclosure of cos(π/n) is missing, idle or wrong: rule `cosine`.
-    pub fn new(file: &File) -> Outcome<Self> {
-        let n = file.claim.valence;
-        let beta = match (cosine::rational_beta(file.claim.weights, n), &file.cosine) {
-            (Some(beta), None) => Ok(Beta::exact(&beta)),
-            (Some(_), Some(_)) => Err("beta is rational here, so that \"cosine\" is null".into()),
-            (None, Some((Number(lo), Number(hi)))) => cosine::enclose_beta(n, lo, hi),
-            (None, None) => Err("an enclosure of cos(π/n) is missing".into()),
-        };
-        beta.map(|beta| Self::of(n, beta)).map_err(|why| Rejection::new(Rule::Cosine, why))
+    pub fn new(
+        setting: &Setting,
+        norm: Norm,
+        enclosure: Option<&(Number, Number)>,
+    ) -> Outcome<Self> {
+        let n = setting.valence;
+        let ends = enclosure.map(|(Number(lo), Number(hi))| (lo, hi));
+        let idle = || Rejection::new(Rule::Cosine, "numbers are rational here: \"cosine\" is null");
+        match (setting.scheme, setting.weights) {
+            (SchemeName::CatmullClark, _) if ends.is_some() => Err(idle()),
+            (SchemeName::CatmullClark, _) => {
+                let (beta, one) = (Scalar::integer(0), Scalar::integer(1));
+                Ok(Self::of(Box::new(CatmullClark(norm)), n, Ring::RATIONALS, beta, one))
+            }
+            (SchemeName::DooSabin, _) => {
+                let (ring, list) = match (cosine::rational_cosines(n), ends) {
+                    (Some(_), Some(_)) => return Err(idle()),
+                    (Some(list), None) => {
+                        (Ring::RATIONALS, list.iter().map(Scalar::constant).collect())
+                    }
+                    (None, ends) => {
+                        let ring = Ring::cosines(n, cosine::enclose(n, ends)?);
+                        (ring, (0..n).map(|k| Scalar::generator(k.min(n - k))).collect())
+                    }
+                };
+                let (beta, one) = (Scalar::integer(0), Scalar::integer(1));
+                Ok(Self::of(Box::new(DooSabin(list)), n, ring, beta, one))
+            }
+            (SchemeName::Loop, weights) => {
+                let weights = weights.unwrap_or(Weights::Original);
+                match (cosine::rational_beta(weights, n), ends) {
+                    (Some(_), Some(_)) => Err(idle()),
+                    (Some(beta), None) => {
+                        Ok(Loop::space(n, Ring::RATIONALS, Scalar::constant(&beta)))
+                    }
+                    (None, ends) => {
+                        let beta = cosine::enclose_beta(n, ends)?;
+                        Ok(Loop::space(n, Ring::Powers(beta), Scalar::generator(1)))
+                    }
+                }
+            }
+        }
     }
 
-    /// The setting of a valence and a beta.
-    pub fn of(n: usize, beta: Beta) -> Self {
-        let rows: Vec<Row> = edges(n).into_iter().map(|(a, b)| row(n, a, b)).collect();
-        let q = &Polynomial::integer(3) + &beta.value.scale(&ratio(8, 1));
-        let rank = basis::rank(&rows, n + 6);
-        Self { n, size: n + 6, beta, q, rows, rank, work: Cell::new(WORK) }
+    /// The setting of a scheme with a valence, over a ring.
+    pub fn of(scheme: Box<dyn Scheme>, n: usize, ring: Ring, beta: Scalar, q: Scalar) -> Self {
+        let (size, rows) = (scheme.size(n), scheme.differences(n));
+        let (surface, regular_rows) = (scheme.surface(), scheme.differences(scheme.regular()));
+        let (rank, work) = (basis::rank(&rows, size), Cell::new(WORK));
+        Self { scheme, n, size, ring, beta, q, surface, rows, regular_rows, rank, work }
+    }
+
+    /// The valence of the net of a word.
+    pub fn valence(&self, regular: bool) -> usize {
+        if regular { self.scheme.regular() } else { self.n }
+    }
+
+    /// The differences of the net of a word.
+    pub fn differences(&self, regular: bool) -> &[Row] {
+        if regular { &self.regular_rows } else { &self.rows }
+    }
+
+    /// The surface over regular words.
+    pub fn patch(&self) -> Patch {
+        self.scheme.patch()
     }
 
     /// Takes this much off the work allowed.
@@ -73,13 +129,14 @@ impl Space {
         Ok(())
     }
 
-    /// The polynomial that a value has over q.
-    pub fn value(&self, value: &Value) -> Polynomial {
-        let horner =
-            |sum: Polynomial, c: &Number| &(&sum * &self.beta.value) + &Polynomial::constant(&c.0);
+    /// q times a value: what it has over q.
+    pub fn value(&self, value: &Value) -> Scalar {
+        let horner = |sum: Scalar, c: &Number| {
+            &self.ring.product(&sum, &self.beta) + &Scalar::constant(&c.0)
+        };
         match value {
             Value::Rational(r) => self.q.scale(&r.0),
-            Value::OverQ(list) => list.iter().rev().fold(Polynomial::integer(0), horner),
+            Value::OverQ(list) => list.iter().rev().fold(Scalar::integer(0), horner),
         }
     }
 
@@ -88,33 +145,16 @@ impl Space {
     /// # Errors
     ///
     /// If and only if it is not certain: the rule given.
-    pub fn at_most(
-        &self,
-        x: &Polynomial,
-        y: &Polynomial,
-        rule: Rule,
-        what: impl Display,
-    ) -> Outcome<()> {
-        if (x - y).is_at_most_zero(&self.beta) {
+    pub fn at_most(&self, x: &Scalar, y: &Scalar, rule: Rule, what: impl Display) -> Outcome<()> {
+        if self.ring.is_at_most_zero(&(x - y)) {
             return Ok(());
         }
         let (x, y) = contrast(&self.near(x), &self.near(y));
         Err(Rejection::new(rule, format!("{what}: {x} is not shown to be at most {y}")))
     }
 
-    /// `x / q` at the middle of the enclosure of beta: for decimals only.
-    pub fn near(&self, x: &Polynomial) -> BigRational {
-        let beta = self.beta.middle();
-        x.at(&beta) / self.q.at(&beta)
+    /// `x / q`, near the middle of its enclosure: for decimals only.
+    pub fn near(&self, x: &Scalar) -> BigRational {
+        self.ring.near(x) / self.ring.near(&self.q)
     }
-}
-
-/// The second difference over the edge (a, b), coefficients at the same label added up.
-fn row(n: usize, a: usize, b: usize) -> Row {
-    let [c, d] = opposite(n, a, b);
-    let mut sums = BTreeMap::new();
-    for (label, sign) in [(a, 1), (b, 1), (c, -1), (d, -1)] {
-        *sums.entry(label - 1).or_insert_with(BigInt::zero) += sign;
-    }
-    sums.into_iter().filter(|(_, c)| !c.is_zero()).collect()
 }

@@ -29,10 +29,10 @@ fn a_folder_of_certificates() {
     let output = run(&[&certificates()]);
     assert_eq!(output.status.code(), Some(0));
     let lines: Vec<String> = text(&output.stdout).lines().map(str::to_string).collect();
-    assert_eq!(lines.len(), 22);
-    assert!(lines[..21].iter().all(|line| line.ends_with(": verified")));
-    assert!(lines[..21].is_sorted());
-    assert_eq!(lines[21], "21 certificates: 21 verified, 0 rejected, 0 unreadable");
+    assert_eq!(lines.len(), 37);
+    assert!(lines[..36].iter().all(|line| line.ends_with(": verified")));
+    assert!(lines[..36].is_sorted());
+    assert_eq!(lines[36], "36 certificates: 36 verified, 0 rejected, 0 unreadable");
     let rate = lines.iter().find(|line| line.contains("/rate-original-6-1")).unwrap();
     for word in [
         "Loop",
