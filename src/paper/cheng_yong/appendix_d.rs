@@ -1,18 +1,16 @@
 //! Appendix D: the proof of (26), case by case.
 
-use num_traits::Zero;
-
 use super::appendix_a::on_bound;
-use super::functional::{Functional, ring};
+use super::appendix_d_sums::{first_case, second_case};
 use super::norm::{Sup, number};
 use super::printed;
 use super::setting::{Setting, grid_differences, second_differences_of};
 use super::violation::{Named, Violation, texts};
-use super::wording::grouped;
+use super::wording::{grouped, scope, valences};
 use crate::paper::words::{all, by_verdict, claim, exceptions, gravest, if_true, ranges};
 use crate::paper::{Claim, Counterexample, Verdict};
-use crate::scalar::{Field, Rational, Ring};
-use crate::scheme::{IntegerRow, Tile, catmull_clark};
+use crate::scalar::{Field, Rational};
+use crate::scheme::{Tile, catmull_clark};
 
 /// What is computed for a valence.
 #[derive(Clone, Debug)]
@@ -33,96 +31,6 @@ pub struct Facts {
     differences: Vec<([usize; 3], Sup)>,
     /// The certificate of the violated bound.
     pub certificate: Option<Named>,
-}
-
-/// `2 V_b - V_a - V_c` of labels (b, a, c).
-fn second_difference([b, a, c]: [usize; 3]) -> IntegerRow {
-    IntegerRow::new([(b - 1, 2), (a - 1, -1), (c - 1, -1)])
-}
-
-/// A sum of second differences with factors.
-struct Sum {
-    n: u32,
-    total: Functional,
-    factors: i64,
-}
-
-impl Sum {
-    fn new(n: u32) -> Self {
-        Sum {
-            n,
-            total: Functional::zero(),
-            factors: 0,
-        }
-    }
-
-    /// Adds `factor (2 V_b - V_a - V_c)`; labels (b, a, c).
-    fn add(&mut self, factor: i64, bac: [usize; 3]) {
-        let size = catmull_clark::local_net_size(self.n);
-        let row = Functional::of_row(&second_difference(bac), size);
-        let row = row * &<Rational as Ring>::from_integer(factor);
-        self.total = self.total.clone() + &row;
-        self.factors += factor.abs();
-    }
-
-    fn over(self, denominator: i64) -> (Functional, Rational) {
-        let part = Rational::ratio(1, denominator);
-        (
-            self.total * &part,
-            part * <Rational as Ring>::from_integer(self.factors),
-        )
-    }
-}
-
-/// The second case as printed: the combination for `2 V_6 - V_1 - V_(2N+4)` of level i + 1.
-fn second_case(n: u32) -> (Functional, Rational) {
-    let (m, far) = (i64::from(n), 2 * n as usize);
-    let square = m * m;
-    let next = |j: usize| 2 * (j % n as usize + 1);
-    let mut sum = Sum::new(n);
-    sum.add(square, [7, ring(n, 8), far + 5]);
-    sum.add(square, [5, far + 3, 4]);
-    sum.add(6 * square, [6, 1, far + 4]);
-    for j in 1..=n as usize {
-        sum.add(8, [next(j), 2 * j + 1, next(j) + 1]);
-    }
-    // (8N² - 56)(-2 V_1 + V_4 + V_8).
-    sum.add(-(8 * square - 56), [1, 4, ring(n, 8)]);
-    for j in 3..=n as usize + 1 {
-        sum.add(56, [1, next(j - 1), next(j + 1)]);
-    }
-    sum.over(64 * square)
-}
-
-/// The first case as printed: the combination for `2 V_1 - V_2 - V_6` of level i + 1.
-fn first_case(n: u32) -> Option<(Functional, Rational)> {
-    let mut sum = Sum::new(n);
-    if n == 3 {
-        for (factor, bac) in printed::APPENDIX_D_OF_3 {
-            sum.add(factor, bac);
-        }
-        return Some(sum.over(144));
-    }
-    if n == 4 {
-        return None;
-    }
-    let (square, last) = (i64::from(n * n), 2 * n as usize);
-    for j in 1..=n as usize {
-        // V_(2N+1) for V_(2j-1) when j = 1.
-        let before = if j == 1 { last + 1 } else { 2 * j - 1 };
-        sum.add(-4, [2 * j, before, 2 * j + 1]);
-    }
-    sum.add(square, [2, last + 1, 3]);
-    sum.add(square, [6, 7, 5]);
-    sum.add(square - 28, [1, 4, last]);
-    sum.add(square - 28, [1, 4, 8]);
-    for j in 5..n as usize {
-        sum.add(-28, [1, 2 * j, 2 * (j - 2)]);
-    }
-    sum.add(-28, [1, last - 4, last]);
-    sum.add(-28, [1, last - 2, 2]);
-    sum.add(8 * square - 28, [1, 2, 6]);
-    Some(sum.over(16 * square))
 }
 
 impl Facts {
@@ -207,10 +115,10 @@ pub fn claims(found: &[&Facts], scope: &str) -> Vec<Claim> {
     vec![
         exceptional(found, scope),
         mirrored(found, scope),
-        second(found, scope),
-        first(found, scope),
-        sign(found, scope),
-        bound(found, scope),
+        second(found),
+        first(found),
+        sign(found),
+        bound(found),
     ]
 }
 
@@ -266,7 +174,7 @@ fn mirrored(found: &[&Facts], scope: &str) -> Claim {
     )
 }
 
-fn second(found: &[&Facts], scope: &str) -> Claim {
+fn second(found: &[&Facts]) -> Claim {
     let asserted: Vec<&&Facts> = found.iter().filter(|f| f.n != 4).collect();
     let verdicts: Vec<(u32, Verdict)> = asserted
         .iter()
@@ -298,11 +206,11 @@ fn second(found: &[&Facts], scope: &str) -> Claim {
             by_verdict(&verdicts),
             grouped(values)
         ),
-        scope,
+        scope(valences(&verdicts)),
     )
 }
 
-fn first(found: &[&Facts], scope: &str) -> Claim {
+fn first(found: &[&Facts]) -> Claim {
     let truths: Vec<(u32, Option<bool>)> = found
         .iter()
         .filter(|f| f.n != 4)
@@ -318,11 +226,11 @@ fn first(found: &[&Facts], scope: &str) -> Claim {
             &truths,
             "an identity of the 2N + 8 points, coefficient by coefficient",
         ),
-        scope,
+        scope(valences(&truths)),
     )
 }
 
-fn sign(found: &[&Facts], scope: &str) -> Claim {
+fn sign(found: &[&Facts]) -> Claim {
     let truths: Vec<(u32, Option<bool>)> = found
         .iter()
         .filter(|f| f.n >= 5)
@@ -344,11 +252,11 @@ fn sign(found: &[&Facts], scope: &str) -> Claim {
             &truths,
             "the factors' magnitudes add up to 3/4 + 2/N - 21/(2N²) for N >= 6 and to more at N = 5",
         ),
-        scope,
+        scope(valences(&truths)),
     )
 }
 
-fn bound(found: &[&Facts], scope: &str) -> Claim {
+fn bound(found: &[&Facts]) -> Claim {
     let asserted = found.iter().filter_map(|f| {
         let printed = printed::by_case(printed::APPENDIX_D, f.n)?;
         Some((f, printed))
@@ -405,7 +313,7 @@ fn bound(found: &[&Facts], scope: &str) -> Claim {
                 by_verdict(&verdicts),
                 grouped(values)
             ),
-            scope,
+            scope(valences(&verdicts)),
         )
     }
 }

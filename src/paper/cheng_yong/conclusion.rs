@@ -78,15 +78,9 @@ pub fn claims(found: &[Valence], scope: &str) -> Vec<Claim> {
 }
 
 fn avoid_five(found: &[Valence], scope: &str) -> Claim {
-    let Some(three) = found.iter().find(|v| v.n == 3) else {
-        return claim(
-            "avoid-five",
-            "section 5",
-            "",
-            Verdict::Undecided,
-            "",
-            NOWHERE,
-        );
+    let three = found.iter().find(|v| v.n == 3);
+    let (Some(three), true) = (three, found.iter().any(|v| v.n >= 5)) else {
+        return claim("avoid-five", "", "", Verdict::Undecided, "", NOWHERE);
     };
     let less = |a: Option<Rational>, b: Option<Rational>| Some(a?.decide(&b?)? == Ordering::Less);
     let truths: Vec<(u32, Option<bool>)> = found
@@ -112,10 +106,7 @@ fn avoid_five(found: &[Valence], scope: &str) -> Claim {
         "avoid-five",
         "section 5",
         "Extraordinary vertices of valence five or higher should be avoided where valence three does as well.",
-        match truths.is_empty() {
-            true => Verdict::Undecided,
-            false => Verdict::of(all(truths.iter().map(|t| t.1))),
-        },
+        Verdict::of(all(truths.iter().map(|t| t.1))),
         format!(
             "as a statement on the rates of one step it holds in both norms ({}); G^1/G^0 and Z_0^1/Z_0^0: {}",
             exceptions(&truths),

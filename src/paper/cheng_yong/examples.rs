@@ -155,9 +155,11 @@ fn figure_6c() -> Claim {
     let z_largest = integer(3) * epsilon(printed::FIGURE_6C[0].0) / &w;
     let mut texts = Vec::new();
     let mut possible = true;
+    let mut agree = 0;
     for (inverse, d) in printed::FIGURE_6C {
         let epsilon = epsilon(inverse);
         let largest = depth::n_epsilon(n, &g0, &epsilon).unwrap_or(0);
+        agree += usize::from(largest == d);
         if largest >= d {
             continue;
         }
@@ -184,10 +186,14 @@ fn figure_6c() -> Claim {
                 false => Verdict::Misprint,
             },
             format!(
-                "depth 1 for ε = 0.25 means G^0 <= {} and Z^0 <= {} by (23), (32); then no G^0, Z^0 give all six by (33) \
-                 (five agree with (23) for one G^0)",
+                "depth 1 for ε = 0.25 means G^0 <= {} and Z^0 <= {} by (23), (32); {} by (33). {agree} of the six are n_ε of \
+                 (23) for the largest such G^0",
                 number(&g0),
-                number(&z_largest)
+                number(&z_largest),
+                match possible {
+                    true => "one G^0 and Z^0 may give all six",
+                    false => "no G^0, Z^0 give all six",
+                }
             ),
             "N = 5",
         )

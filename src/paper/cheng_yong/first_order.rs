@@ -5,19 +5,17 @@ use std::cmp::Ordering;
 use num_traits::{One, Signed};
 
 use super::appendix_a::on_bound;
-use super::depth;
 use super::functional::Functional;
 use super::norm::{Norm, Sup, number};
 use super::printed;
 use super::setting::{LEVELS, Setting, phi};
+use super::theorem_6::{printed_depth, rate_depth};
+use super::wording::{valences, within};
 use crate::bernstein::from_net;
-use crate::paper::words::{all, by_verdict, claim, exceptions, gravest, if_true, list};
+use crate::paper::words::{all, by_verdict, claim, gravest, if_true, list, ranges};
 use crate::paper::{Claim, Table, Verdict};
-use crate::scalar::{Decide, Field, Rational, Ring};
+use crate::scalar::{Decide, Field, Rational};
 use crate::scheme::{Tile, catmull_clark};
-
-/// G^0 / ε of the table of depths.
-const RATIO: i64 = 100;
 
 /// What is computed for a valence.
 #[derive(Clone, Debug)]
@@ -75,7 +73,8 @@ impl Facts {
         values.collect::<Option<Vec<_>>>()?.into_iter().max()
     }
 
-    fn power(&self, k: usize) -> Option<Rational> {
+    /// The printed rate to a power.
+    pub fn power(&self, k: usize) -> Option<Rational> {
         let rate = printed::rate(self.n)?;
         Some((0..k).fold(Rational::one(), |power, _| power * &rate))
     }
@@ -87,7 +86,7 @@ impl Facts {
     }
 
     /// (19) for a level: the verdict over i = 0 .. 3.
-    fn lemma_5(&self, k: usize) -> Option<Verdict> {
+    pub fn lemma_5(&self, k: usize) -> Option<Verdict> {
         let power = self.power(k)?;
         let rate = self.rate(k);
         Some(
@@ -121,6 +120,40 @@ fn overlap(setting: &Setting) -> bool {
         && level[..setting.size()].iter().all(|t| positive(t, &[1]))
 }
 
+/// Whether Lemma 5 holds, in words: for the claims on its proof.
+pub fn survival(found: &[&Facts]) -> String {
+    let holds = |f: &&&Facts| matches!(f.lemma_5(1), Some(Verdict::Sharp | Verdict::Loose));
+    let fails = found.iter().filter(|f| f.lemma_5(1).is_some() && !holds(f));
+    let held = ranges(found.iter().filter(holds).map(|f| f.n));
+    match ranges(fails.map(|f| f.n)).as_str() {
+        "none" => format!("Lemma 5 survives: max G_i^1 <= r G^0 at N = {held}"),
+        fails => format!("Lemma 5 itself fails at N = {fails}"),
+    }
+}
+
+/// The first-order norm of each set, level by level.
+pub fn table_by_set(found: &[&Facts]) -> Table {
+    let mut rows = Vec::new();
+    for f in found {
+        for k in 1..=LEVELS {
+            let bound = f.power(k).map_or("-".into(), |x| number(&x));
+            let mut row = vec![f.n.to_string(), k.to_string(), bound];
+            row.extend(f.rates[k - 1].iter().map(ToString::to_string));
+            row.push(f.lemma_5(k).map_or("-".into(), |v| v.to_string()));
+            rows.push(row);
+        }
+    }
+    Table {
+        id: "lemma-5",
+        title: "Lemma 5, (19): G_i^k over G^0, i = 0 .. 3".into(),
+        heads: vec![
+            "N", "k", "printed", "G_0^k", "G_1^k", "G_2^k", "G_3^k", "verdict",
+        ],
+        rows,
+        notes: Vec::new(),
+    }
+}
+
 /// Rates printed and true, and depths.
 pub fn table(found: &[&Facts]) -> Table {
     let text = |x: Option<Rational>| x.map_or("-".into(), |x| number(&x));
@@ -152,31 +185,15 @@ pub fn table(found: &[&Facts]) -> Table {
     }
 }
 
-fn printed_depth(f: &Facts) -> Option<i64> {
-    let ratio = <Rational as Ring>::from_integer(RATIO);
-    depth::n_epsilon(f.n, &ratio, &Rational::one())
-}
-
-fn rate_depth(f: &Facts) -> Option<i64> {
-    let rates: Vec<Rational> = (1..=LEVELS).map(|k| f.rate(k)).collect::<Option<_>>()?;
-    let factor = Rational::ratio(printed::EQ_23_FACTOR.0, printed::EQ_23_FACTOR.1);
-    let ratio = <Rational as Ring>::from_integer(RATIO);
-    Some(depth::with_rates(&factor, &rates, &ratio))
-}
-
 /// The claims.
 pub fn claims(found: &[&Facts], scope: &str) -> Vec<Claim> {
     vec![
         sets(found, scope),
         in_the_ball(found, scope),
-        lemma_5(found, scope),
+        lemma_5(found),
         displayed(found, scope),
         similar(found, scope),
-        eq_20(found, scope),
-        largest_rate(),
-        delta(),
-        theorem_6(found, scope),
-        fastest(found, scope),
+        eq_20(found),
     ]
 }
 
@@ -214,7 +231,7 @@ fn in_the_ball(found: &[&Facts], scope: &str) -> Claim {
     )
 }
 
-fn lemma_5(found: &[&Facts], scope: &str) -> Claim {
+fn lemma_5(found: &[&Facts]) -> Claim {
     let verdicts: Vec<(u32, Verdict)> = found
         .iter()
         .filter_map(|f| Some((f.n, f.lemma_5(1)?)))
@@ -241,14 +258,15 @@ fn lemma_5(found: &[&Facts], scope: &str) -> Claim {
         "G_i^k <= (3/4)^k G^0 at N = 3, (3/4 + 7/(4N) - 13/(2N²))^k G^0 for N >= 5, i = 0 .. 3.",
         gravest(&verdicts).max(gravest(&later)),
         format!(
-            "Lemma 5 holds, though steps of its proof do not (eq-49, eq-52). k = 1: {}; k = 2 .. {LEVELS}: {}. \
+            "{}, whatever the steps of its proof (eq-49, eq-52). k = 1: {}; k = 2 .. {LEVELS}: {}. \
              max G_i^1 / G^0: {}. From k = 1 all k follow by induction.{}",
+            survival(found),
             by_verdict(&verdicts),
             by_verdict(&later),
             list(values),
             four.unwrap_or_default()
         ),
-        format!("{scope}, k <= {LEVELS} computed"),
+        within(valences(&verdicts), &format!("k <= {LEVELS} computed")),
     )
 }
 
@@ -289,7 +307,7 @@ fn similar(found: &[&Facts], scope: &str) -> Claim {
     )
 }
 
-fn eq_20(found: &[&Facts], scope: &str) -> Claim {
+fn eq_20(found: &[&Facts]) -> Claim {
     let factor = Rational::ratio(printed::BALL.0, printed::BALL.1);
     let verdict = |f: &&&Facts| {
         let bounds = (0..LEVELS).map(|k| Some(on_bound(&f.ball[k], &(f.power(k)? * &factor))));
@@ -310,118 +328,6 @@ fn eq_20(found: &[&Facts], scope: &str) -> Claim {
             by_verdict(&verdicts),
             list(values)
         ),
-        format!("{scope}, n < {LEVELS} computed"),
-    )
-}
-
-/// `196 N² (85/98 - r(N)) = (N - 7)(23 N - 182)`, so the only integer with a value at most 0 is 7.
-fn largest_rate() -> Claim {
-    let largest = printed::at(printed::RATE, printed::LARGEST_AT as u32);
-    // A quadratic in N that agrees at three places agrees everywhere.
-    let identity = [5u32, 6, 9].iter().all(|&n| {
-        let m = i64::from(n);
-        let left = (&largest - printed::at(printed::RATE, n)) * Rational::ratio(196 * m * m, 1);
-        left == Rational::ratio((m - 7) * (23 * m - 182), 1)
-    });
-    // 182/23 lies between 7 and 8.
-    let between = 7 * 23 < 182 && 182 < 8 * 23;
-    claim(
-        "largest-rate",
-        "before (21)",
-        "The maximum of 3/4 + 7/(4N) - 13/(2N²) occurs at N = 7.",
-        Verdict::of(Some(identity && between)),
-        format!(
-            "over the integers: {largest} - r(N) = (N - 7)(23N - 182) / (196 N²), zero at N = 7 and positive at every \
-             other integer (over the reals the maximum is at 52/7)"
-        ),
-        "all N",
-    )
-}
-
-fn delta() -> Claim {
-    let largest = printed::at(printed::RATE, printed::LARGEST_AT as u32);
-    let [three, more] = printed::DELTA.map(|(p, q)| Rational::ratio(q, p));
-    let right = more == largest && Some(three) == printed::rate(3);
-    claim(
-        "delta",
-        "(21), (22)",
-        "1/δ bounds the rate of (19): δ = 4/3 for N = 3, 98/85 for N >= 5.",
-        Verdict::of(Some(right)),
-        "98/85 is the reciprocal of the rate at N = 7, the largest (largest-rate)",
-        "all N",
-    )
-}
-
-fn theorem_6(found: &[&Facts], scope: &str) -> Claim {
-    let truths = found.iter().filter_map(|f| {
-        let shorter = rate_depth(f)? < printed_depth(f)?;
-        Some((
-            f.n,
-            match (f.theorem_6_holds(), shorter) {
-                (true, true) => Verdict::Loose,
-                (true, false) => Verdict::True,
-                _ => Verdict::Undecided,
-            },
-        ))
-    });
-    let verdicts: Vec<_> = truths.collect();
-    let depths = found
-        .iter()
-        .filter_map(|f| Some((f.n, format!("{} of {}", rate_depth(f)?, printed_depth(f)?))));
-    Claim {
-        method: Some(
-            "as printed for N = 3 and N >= 5; at N = 4 use Theorem 4; a negative n_ε means 0 steps"
-                .into(),
-        ),
-        ..claim(
-            "theorem-6",
-            "Theorem 6, (23)",
-            "The distance of S_0^n from L_0^n is at most ε for n >= n_ε = ⌈log_δ (7G^0/(2ε))⌉.",
-            gravest(&verdicts),
-            format!(
-                "the theorem survives: it needs (19) with k = n, which holds. It asks for too many steps: with the true \
-                 rates of k <= {LEVELS} the same argument gives, for G^0/ε = {RATIO}, {}",
-                list(depths)
-            ),
-            scope,
-        )
-    }
-}
-
-fn fastest(found: &[&Facts], scope: &str) -> Claim {
-    let Some(three) = found.iter().find(|f| f.n == 3) else {
-        return claim(
-            "fastest",
-            "after Theorem 6",
-            "",
-            Verdict::Undecided,
-            "",
-            crate::paper::words::NOWHERE,
-        );
-    };
-    let truths: Vec<(u32, Option<bool>)> = found
-        .iter()
-        .filter(|f| f.n != 3)
-        .map(|f| {
-            let less =
-                (1..=LEVELS).map(|k| Some(three.rate(k)?.decide(&f.rate(k)?)? == Ordering::Less));
-            (f.n, all(less))
-        })
-        .collect();
-    let values = found
-        .iter()
-        .filter_map(|f| Some((f.n, number(&f.rate(LEVELS)?))));
-    claim(
-        "fastest",
-        "after Theorem 6",
-        "Convergence near the extraordinary vertex is fastest when its valence is three.",
-        Verdict::of(all(truths.iter().map(|t| t.1))),
-        format!(
-            "in the first-order norm: {}, the regular N = 4 included; G^{LEVELS}/G^0: {}. (In the second-order norm \
-             the regular valence is faster: see w.)",
-            exceptions(&truths),
-            list(values)
-        ),
-        scope,
+        within(valences(&verdicts), &format!("n < {LEVELS} computed")),
     )
 }

@@ -4,8 +4,7 @@ use nalgebra::DMatrix;
 use num_traits::{One, Signed, Zero};
 
 use super::printed;
-use crate::linalg;
-use crate::paper::words::{by_verdict, claim, exceptions, gravest, if_true, list};
+use crate::paper::words::{by_verdict, claim, exceptions, gravest, if_true};
 use crate::paper::{Claim, Verdict};
 use crate::scalar::{Field, Rational};
 use crate::scheme::catmull_clark;
@@ -111,7 +110,7 @@ pub struct Facts {
     diagonal: bool,
     stationary: bool,
     idempotent: bool,
-    rank: usize,
+    trace: Rational,
     limit_mask: bool,
     /// The largest row sum of the block T_(1,2).
     outer: Rational,
@@ -151,7 +150,7 @@ impl Facts {
             diagonal: (0..size).all(|i| !ring[(i, i)].is_zero()),
             stationary: &delta * &ring == delta && delta.iter().sum::<Rational>().is_one(),
             idempotent: &limit * &limit == limit,
-            rank: linalg::rank(&limit),
+            trace: (0..size).map(|i| &limit[(i, i)]).sum(),
             limit_mask: [centre, edge, face] == [mask.center, mask.edge, mask.face],
             outer: outer_sums.max().unwrap_or_else(Rational::zero),
         }
@@ -210,8 +209,8 @@ pub fn claims(found: &[&Facts], scope: &str) -> Vec<Claim> {
             "idempotent",
             "section 2.2.1",
             "T̄* is idempotent, with the eigenvalues 1 and 0 (of multiplicity 2N).",
-            |f| f.idempotent && f.rank == 1,
-            "T̄* T̄* = T̄* exactly, of rank 1",
+            |f| f.idempotent && f.trace.is_one(),
+            "T̄* T̄* = T̄* exactly, and the trace, which is the multiplicity of 1, is 1",
         ),
         plain(
             "eigenvalues",
@@ -280,6 +279,7 @@ fn limit_point(found: &[&Facts], scope: &str) -> Claim {
             )
         })
         .collect();
+    let outer = found.iter().map(|f| &f.outer).max();
     claim(
         "limit-point",
         "section 2.2.1, Appendix B",
@@ -289,7 +289,7 @@ fn limit_point(found: &[&Facts], scope: &str) -> Claim {
             "{}: Δ is the limit mask; the rows of T_(1,2) sum to at most {}, so the outer points follow (the \
              text at hand has no Appendix B)",
             exceptions(&truths),
-            list(found.first().map(|f| (f.n, f.outer.to_string())))
+            outer.map_or("-".into(), |x| x.to_string())
         ),
         scope,
     )

@@ -6,10 +6,12 @@
 //! | (1)-(3), Lemmas 1 and 2 | `regular.rs` | Bernstein coefficients, exact linear programs |
 //! | (4)-(7), (36)-(40), Lemma 3, Theorem 4 | `appendix_a.rs` | identities, linear programs, one net |
 //! | (8)-(15), the Markov chain, Δ | `matrix.rs` | exact matrices |
-//! | (13), (16)-(23), Lemma 5, Theorem 6 | `first_order.rs` | linear programs over G, three levels |
-//! | (45)-(52), Appendix C | `appendix_c.rs` | each identity, each inequality a linear program |
-//! | (24)-(33), Lemmas 7 and 8, Theorem 9 | `second_order.rs` | linear programs over Z, three levels |
-//! | Appendix D | `appendix_d.rs` | the same |
+//! | (13), (16)-(20), Lemma 5 | `first_order.rs` | linear programs over G, three levels |
+//! | (21)-(23), Theorem 6 | `theorem_6.rs` | the same |
+//! | (45)-(52), Appendix C | `appendix_c.rs`, `estimates.rs` | each identity, each inequality a linear program |
+//! | (24)-(28), Lemma 7 | `second_order.rs` | linear programs over Z, three levels |
+//! | (29)-(33), Lemma 8, Theorem 9 | `theorem_9.rs` | the same |
+//! | Appendix D | `appendix_d.rs`, `appendix_d_sums.rs` | identities, linear programs |
 //! | section 4 | `examples.rs` | the printed numbers against each other and the formulas |
 //! | section 5 | `conclusion.rs` | the rates, and those of Loop's scheme |
 //! | (7), (23), (31)-(33) as functions | [`depth`] | exact ceilings |
@@ -20,8 +22,10 @@
 mod appendix_a;
 mod appendix_c;
 mod appendix_d;
+mod appendix_d_sums;
 mod conclusion;
 pub mod depth;
+mod estimates;
 pub mod examples;
 pub mod first_order;
 pub mod functional;
@@ -32,6 +36,8 @@ pub mod printed;
 mod regular;
 mod second_order;
 pub mod setting;
+mod theorem_6;
+mod theorem_9;
 mod violation;
 mod wording;
 
@@ -72,10 +78,7 @@ impl Valence {
 
     fn certificates(&self) -> impl Iterator<Item = &Named> {
         let single = [&self.d.certificate, &self.triangles.certificate];
-        self.c
-            .certificates
-            .iter()
-            .chain(single.into_iter().flatten())
+        self.c.certificates().chain(single.into_iter().flatten())
     }
 }
 
@@ -113,10 +116,12 @@ fn report(found: &[Valence]) -> Report {
     claims.extend(appendix_a::claims(&regular));
     claims.extend(matrix::claims(&matrices, &scope));
     claims.extend(first_order::claims(&first, &scope));
-    let appendix_c = appendix_c::claims(&c, &first, &scope);
+    claims.extend(theorem_6::claims(&first));
+    let appendix_c = appendix_c::claims(&c, &first);
     let table_c = appendix_c::table(&c, &appendix_c);
     claims.extend(appendix_c);
     claims.extend(second_order::claims(found, &scope));
+    claims.extend(theorem_9::claims(found));
     claims.extend(appendix_d::claims(&d, &scope));
     claims.extend(examples::claims());
     claims.extend(conclusion::claims(found, &scope));
@@ -141,7 +146,7 @@ fn report(found: &[Valence]) -> Report {
                 .into(),
             examples::UNAVAILABLE.into(),
         ],
-        tables: vec![first_order::table(&first), table_c, second_order::table(found)],
+        tables: vec![first_order::table(&first), first_order::table_by_set(&first), table_c, second_order::table(found)],
         claims,
         plots: plots::plots(found),
         certificates,

@@ -8,14 +8,13 @@ use super::appendix_a::on_bound;
 use super::norm::{Sup, number};
 use super::regular::surface_minus_face;
 use super::setting::{LEVELS, Setting, second_differences_of};
+use super::theorem_9::{depth_by_rates, printed_depth};
+use super::wording::{grouped, scope, valences, within};
 use super::{Valence, depth, printed};
-use crate::paper::words::{all, by_verdict, claim, gravest, if_true, list, ranges};
+use crate::paper::words::{all, by_verdict, claim, exceptions, gravest, if_true, list, ranges};
 use crate::paper::{Claim, Table, Verdict};
 use crate::scalar::{Decide, Field, Rational, Ring};
 use crate::scheme::{Tile, catmull_clark};
-
-/// Z^0 / ε and G^0 / ε of the example of Theorem 9.
-const RATIO: i64 = 100;
 
 /// What is computed for a valence.
 #[derive(Clone, Debug)]
@@ -28,6 +27,8 @@ pub struct Facts {
     pub zero: Vec<Sup>,
     /// Of Z_0^1, without the differences across V_1.
     zero_others: Sup,
+    /// `sup Z_1^1 / Z_0^0` and `sup Z_2^1 / Z_0^0`.
+    others: [Sup; 2],
     /// Bounds of `sup |L_3^1 - S_3^1| / Z_0^0`: at a corner, by the Bernstein coefficients.
     distance: [Sup; 2],
     /// Whether L_3 is on the face of the tile.
@@ -56,8 +57,13 @@ impl Facts {
             let row = crate::scheme::IntegerRow::new([(0, 2), (2 * j - 1, -1), (other - 1, -1)]);
             rows[..across].contains(&row)
         });
+        let tile = |tile| {
+            let net = catmull_clark::tile_net(n, tile, &setting.levels[1]);
+            z.largest(&second_differences_of(&net)).1
+        };
         Facts {
             n,
+            others: [Tile::First, Tile::Second].map(tile),
             third: (1..=LEVELS).map(third).collect(),
             zero: (1..=LEVELS).map(|k| z.largest(&zero(k)).1).collect(),
             zero_others: z.largest(&zero(1)[across..]).1,
@@ -73,34 +79,12 @@ impl Facts {
     }
 
     /// Z_3^k over Z_0^0, for every k: computed, or by the rates of Z_0.
-    fn third_bound(&self, k: usize) -> Option<Rational> {
+    pub fn third_bound(&self, k: usize) -> Option<Rational> {
         let (whole, rest) = ((k - 1) / LEVELS, (k - 1) % LEVELS);
         let rate = self.zero[LEVELS - 1].value()?;
         let third = self.third[rest].value()?.clone();
         Some((0..whole).fold(third, |bound, _| bound * rate))
     }
-}
-
-/// The part of Theorem 9 that [`depth::theorem_9`] prints, with the true rates instead.
-fn depth_by_rates(v: &Valence) -> Option<i64> {
-    let ratio = <Rational as Ring>::from_integer(RATIO);
-    let epsilon = Rational::one();
-    let rates: Vec<Rational> = (1..=LEVELS)
-        .map(|k| v.first.rate(k))
-        .collect::<Option<_>>()?;
-    let factor = Rational::ratio(printed::EQ_23_FACTOR.0, printed::EQ_23_FACTOR.1);
-    let n = depth::with_rates(&factor, &rates, &ratio);
-    let mut largest = n;
-    for k in 1..=n {
-        let norm = v.second.third_bound(k as usize)? * &ratio;
-        largest = largest.max(k + depth::theorem_4(&norm, &epsilon)?);
-    }
-    Some(largest)
-}
-
-fn printed_depth(n: u32) -> Option<i64> {
-    let ratio = <Rational as Ring>::from_integer(RATIO);
-    depth::theorem_9(n, &ratio, &ratio, &Rational::one())
 }
 
 /// W printed and true, and Theorem 9's depth.
@@ -156,14 +140,13 @@ pub fn table(found: &[Valence]) -> Table {
 pub fn claims(found: &[Valence], scope: &str) -> Vec<Claim> {
     vec![
         eq_24(found, scope),
-        eq_26(found, scope),
-        eq_26_second(found, scope),
-        eq_26_chain(found, scope),
-        dominant(found, scope),
-        lemma_7(found, scope),
+        eq_26(found),
+        eq_26_second(found),
+        eq_26_chain(found),
+        dominant(found),
+        other_tiles(found),
+        lemma_7(found),
         index(found, scope),
-        lemma_8(found, scope),
-        theorem_9(found, scope),
     ]
 }
 
@@ -197,7 +180,7 @@ fn suprema(found: &[Valence], of: impl Fn(&Facts) -> &Sup) -> String {
     }))
 }
 
-fn eq_26(found: &[Valence], scope: &str) -> Claim {
+fn eq_26(found: &[Valence]) -> Claim {
     let verdicts = on_w(found, |f| Some(on_bound(&f.third[0], &f.power(1)?)));
     claim(
         "eq-26",
@@ -209,11 +192,11 @@ fn eq_26(found: &[Valence], scope: &str) -> Claim {
             by_verdict(&verdicts),
             suprema(found, |f| &f.third[0])
         ),
-        scope,
+        scope(valences(&verdicts)),
     )
 }
 
-fn eq_26_second(found: &[Valence], scope: &str) -> Claim {
+fn eq_26_second(found: &[Valence]) -> Claim {
     let verdicts = on_w(found, |f| Some(on_bound(&f.zero[0], &f.power(1)?)));
     claim(
         "eq-26-second",
@@ -225,11 +208,11 @@ fn eq_26_second(found: &[Valence], scope: &str) -> Claim {
             by_verdict(&verdicts),
             suprema(found, |f| &f.zero[0])
         ),
-        scope,
+        scope(valences(&verdicts)),
     )
 }
 
-fn eq_26_chain(found: &[Valence], scope: &str) -> Claim {
+fn eq_26_chain(found: &[Valence]) -> Claim {
     let verdicts = on_w(found, |f| {
         let bounds = (2..=LEVELS).map(|k| {
             let power = f.power(k)?;
@@ -248,11 +231,11 @@ fn eq_26_chain(found: &[Valence], scope: &str) -> Claim {
         "Z_3^k <= W^k Z_0^0 and Z_0^k <= W^k Z_0^0 over several levels.",
         gravest(&verdicts),
         format!("{}; Z_3^{LEVELS}: {}", by_verdict(&verdicts), list(last)),
-        format!("{scope}, 2 <= k <= {LEVELS}"),
+        within(valences(&verdicts), &format!("2 <= k <= {LEVELS}")),
     )
 }
 
-fn dominant(found: &[Valence], scope: &str) -> Claim {
+fn dominant(found: &[Valence]) -> Claim {
     let truths: Vec<(u32, Option<bool>)> = found
         .iter()
         .filter(|v| v.n != 4)
@@ -274,12 +257,38 @@ fn dominant(found: &[Valence], scope: &str) -> Claim {
             &truths,
             "the largest supremum is theirs, the same as in the first case, and all others are smaller",
         ),
-        scope,
+        scope(valences(&truths)),
+    )
+}
+
+fn other_tiles(found: &[Valence]) -> Claim {
+    let truths: Vec<(u32, Option<bool>)> = found
+        .iter()
+        .filter_map(|v| {
+            let w = depth::w(v.n)?;
+            Some((v.n, all(v.second.others.iter().map(|sup| sup.at_most(&w)))))
+        })
+        .collect();
+    let values = found.iter().map(|v| {
+        let [first, second] = &v.second.others;
+        (v.n, format!("{first} and {second}"))
+    });
+    claim(
+        "other-tiles",
+        "section 2.2.2",
+        "This D_k (for S_3^k) works for S_1^k and S_2^k as well.",
+        Verdict::of(all(truths.iter().map(|t| t.1))),
+        format!(
+            "Z_1^1 and Z_2^1 over Z_0^0 are at most W, {}: {}",
+            exceptions(&truths),
+            grouped(values)
+        ),
+        scope(valences(&truths)),
     )
 }
 
 /// How the distance of S_3^1 from its face compares with W / 3.
-fn on_lemma_7(f: &Facts) -> Option<Verdict> {
+pub fn on_lemma_7(f: &Facts) -> Option<Verdict> {
     let bound = f.power(1)? * Rational::ratio(printed::THIRD.0, printed::THIRD.1);
     let [corner, hull] = f.distance.each_ref().map(|sup| on_bound(sup, &bound));
     Some(match (corner, hull) {
@@ -291,7 +300,7 @@ fn on_lemma_7(f: &Facts) -> Option<Verdict> {
     })
 }
 
-fn lemma_7(found: &[Valence], scope: &str) -> Claim {
+fn lemma_7(found: &[Valence]) -> Claim {
     let verdicts = on_w(found, on_lemma_7);
     let values = found.iter().filter_map(|v| {
         let bound = v.second.power(1)? / <Rational as Ring>::from_integer(3);
@@ -308,7 +317,7 @@ fn lemma_7(found: &[Valence], scope: &str) -> Claim {
             by_verdict(&verdicts),
             list(values)
         ),
-        scope,
+        scope(valences(&verdicts)),
     )
 }
 
@@ -332,94 +341,6 @@ fn index(found: &[Valence], scope: &str) -> Claim {
                 _ => Verdict::Misprint,
             },
             format!("at j = N - 2 this names a V_0, which there is not (N = {bad})"),
-            scope,
-        )
-    }
-}
-
-/// Why "smaller" holds though (31) may be an integer: at l = 0 the distance is below W Z/3 (lemma-7); for l >= 1 each
-/// second difference at the level-l faces is 4^-l times an average of those of Π_3, never of a single one, and only
-/// one of them (across V_1) can reach W: the largest other one is below W.
-fn strict(v: &Valence) -> Option<bool> {
-    let w = depth::w(v.n)?;
-    let others = v.d.largest_other()?;
-    let below = others.decide(&w)? == Ordering::Less;
-    Some(below && on_lemma_7(&v.second)? == Verdict::Loose)
-}
-
-fn lemma_8(found: &[Valence], scope: &str) -> Claim {
-    let truths: Vec<(u32, Option<bool>)> = found
-        .iter()
-        .filter(|v| v.n != 4)
-        .map(|v| (v.n, strict(v)))
-        .collect();
-    let verdicts: Vec<(u32, Verdict)> = truths
-        .iter()
-        .map(|&(n, truth)| {
-            (
-                n,
-                match truth {
-                    Some(true) => Verdict::Loose,
-                    _ => Verdict::Undecided,
-                },
-            )
-        })
-        .collect();
-    claim(
-        "lemma-8",
-        "Lemma 8, (29)-(31)",
-        "l_k = ⌈log_4 (W^k Z_0^0 / (3ε))⌉ more steps on Π_3^k bring S_3^k and its mesh to a distance smaller than ε.",
-        gravest(&verdicts),
-        "true, and \"smaller\" even where the ceiling is taken of an integer, unlike Theorem 4: only one second \
-         difference of Π_3 can reach W Z, the one across V_1, and no level-l face has it alone; not the best possible, \
-         as (28) is not",
-        scope,
-    )
-}
-
-fn theorem_9(found: &[Valence], scope: &str) -> Claim {
-    let verdict = |v: &Valence| {
-        let printed = printed_depth(v.n)?;
-        let holds = |verdict: Verdict| matches!(verdict, Verdict::Sharp | Verdict::Loose);
-        let w = depth::w(v.n)?;
-        let bounds = [&v.second.third[0], &v.second.zero[0]];
-        let proved = bounds.iter().all(|sup| holds(on_bound(sup, &w)))
-            && strict(v)?
-            && v.first.theorem_6_holds();
-        Some((
-            v.n,
-            match (proved, depth_by_rates(v)? < printed) {
-                (true, true) => Verdict::Loose,
-                (true, false) => Verdict::True,
-                _ => Verdict::Undecided,
-            },
-        ))
-    };
-    let verdicts: Vec<_> = found.iter().filter_map(verdict).collect();
-    let depths = found.iter().filter_map(|v| {
-        Some((
-            v.n,
-            format!("{} of {}", depth_by_rates(v)?, printed_depth(v.n)?),
-        ))
-    });
-    Claim {
-        method: Some(
-            "for n_ε < 1 the maximum in (33) is over nothing: 0 steps do; at N = 4, for which nothing is printed, use \
-             Theorem 4"
-                .into(),
-        ),
-        ..claim(
-            "theorem-9",
-            "Theorem 9, (32), (33)",
-            "After D = max D_k steps, D_k = max(n_ε, k + l_k), 1 <= k <= n_ε, the distance between S and the level-D mesh \
-             is smaller than ε.",
-            gravest(&verdicts),
-            format!(
-                "{}; the theorem survives: it needs (19), (26), both true, and no step of Appendix C or D that is not. \
-                 With the true rates the same argument gives, for G^0/ε = Z^0/ε = {RATIO}, {}",
-                by_verdict(&verdicts),
-                list(depths)
-            ),
             scope,
         )
     }

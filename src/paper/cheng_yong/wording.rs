@@ -1,10 +1,26 @@
 //! Sentences about valences that have the same value.
 
-use crate::paper::words::ranges;
+use crate::paper::words::{NOWHERE, ranges};
 
-/// The valences about which the paper says something: all but 4.
-pub fn of_paper(valences: impl Iterator<Item = u32>) -> impl Iterator<Item = u32> {
-    valences.filter(|&n| n != 4)
+/// The scope of a claim about these valences; of none, so that the claim is left out.
+pub fn scope(valences: impl IntoIterator<Item = u32>) -> String {
+    match &*ranges(valences) {
+        "none" => NOWHERE.into(),
+        some => format!("N = {some}"),
+    }
+}
+
+/// The same, with what else bounds it.
+pub fn within(valences: impl IntoIterator<Item = u32>, also: &str) -> String {
+    match scope(valences) {
+        nowhere if nowhere == NOWHERE => nowhere,
+        scope => format!("{scope}, {also}"),
+    }
+}
+
+/// The valences of some values.
+pub fn valences<T>(values: &[(u32, T)]) -> impl Iterator<Item = u32> {
+    values.iter().map(|(n, _)| *n)
 }
 
 /// `9/16 at N = 3; 23/40 at N = 5`: valences with the same text together, in the order of the first.
