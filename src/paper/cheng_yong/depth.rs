@@ -183,6 +183,8 @@ mod tests {
         assert_eq!(d_k(3, 1, 5, &r(0, 1), &r(1, 1)), Some(5));
         // 7/2 G^0 = (4/3)^2: n_ε = 2, D = max(2, 1 + 2, 2 + 1) = 3.
         assert_eq!(theorem_9(3, &r(32, 63), &r(27, 1), &r(1, 1)), Some(3));
+        // Z^0 = 28: 1 + ⌈log_4 (56/9)⌉ = 3, 2 + ⌈log_4 (112/27)⌉ = 4.
+        assert_eq!(theorem_9(3, &r(32, 63), &r(28, 1), &r(1, 1)), Some(4));
         assert_eq!(theorem_9(4, &r(1, 1), &r(1, 1), &r(1, 1)), None);
         assert_eq!(theorem_9(8, &r(0, 1), &r(1, 1), &r(1, 1)), Some(0));
         assert_eq!(theorem_9(8, &r(1, 100), &r(100, 1), &r(1, 1)), Some(0));

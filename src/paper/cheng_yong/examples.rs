@@ -133,7 +133,8 @@ fn figure_6_distances() -> Claim {
 ///
 /// D >= n_ε, so each depth bounds G^0 above: `7/2 G^0 <= ε δ^D`. Let the least of these be G. Then n_ε of each ε
 /// is at most that of G. Where the printed D is larger than that, some k + l_k with k <= n_ε is D, which bounds
-/// Z^0 below: `W^k Z^0 > 3 ε 4^(D - k - 1)`. Where D = n_ε = 1, k = 1 bounds it above: `W Z^0 <= 3 ε`.
+/// Z^0 below: `W^k Z^0 > 3 ε 4^(D - k - 1)`. Where D = n_ε = 1, k = 1 bounds it above: `W Z^0 <= 3 ε`. (With n_ε < 1
+/// for ε = 0.25 the formula gives no D, or 0, and not 1.)
 fn figure_6c() -> Claim {
     let n = 5;
     let delta = printed::delta(n).unwrap_or_else(Rational::one);
