@@ -1,6 +1,7 @@
 //! `subcert reproduce` from outside.
 
 use std::fs;
+use std::path::Path;
 
 use assert_cmd::Command;
 use serde_json::Value;
@@ -75,11 +76,86 @@ fn a_folder_holds_what_its_text_names() {
     assert_eq!(output, read("huang-wang.json"));
 }
 
+/// Every link of a Markdown file of a folder leads to a file.
+fn assert_links(folder: &Path, name: &str) {
+    let text = fs::read_to_string(folder.join(name)).expect(name);
+    for link in text.split("](").skip(1) {
+        let target = link.split(')').next().expect("a link");
+        assert!(folder.join(target).is_file(), "{name}: {target}");
+    }
+}
+
+#[test]
+fn cheng_yong_is_judged() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().display().to_string();
+    let arguments = [
+        "reproduce",
+        "cheng-yong",
+        "--valence",
+        "3..6",
+        "--out",
+        &out,
+    ];
+    let assert = subcert(&arguments).assert().code(0);
+    let text = String::from_utf8(assert.get_output().stdout.clone()).expect("text");
+    for part in ["Lemma 5", "Appendix D", "refuted", "98/85", "23/40"] {
+        assert!(text.contains(part), "{part}");
+    }
+    assert_links(folder.path(), "cheng-yong.md");
+    let json = fs::read_to_string(folder.path().join("cheng-yong.json")).expect("a file");
+    let json: Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(json["paper"], "cheng-yong");
+    assert!(!folder.path().join("README.md").exists());
+}
+
+#[test]
+fn all_papers_share_a_folder_and_an_index() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().display().to_string();
+    let arguments = ["reproduce", "all", "--valence", "3..5", "--out", &out];
+    let assert = subcert(&arguments).assert().code(0);
+    let text = String::from_utf8(assert.get_output().stdout.clone()).expect("text");
+    let summary = text.split("\nSummary\n").nth(1).expect("a summary");
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).expect(name);
+    let all: Value = serde_json::from_str(&read("all.json")).expect("JSON");
+    let papers = all["papers"].as_array().expect("papers");
+    assert_links(folder.path(), "README.md");
+    let index = read("README.md");
+    let mut claims = 0;
+    for paper in papers {
+        let id = paper["paper"].as_str().expect("a name");
+        assert!(summary.contains(id), "{id}");
+        let alone: Value = serde_json::from_str(&read(&format!("{id}.json"))).expect("JSON");
+        assert_eq!(&alone, paper);
+        assert_links(folder.path(), &format!("{id}.md"));
+        for claim in paper["claims"].as_array().expect("claims") {
+            claims += 1;
+            let (claim, verdict) = (&claim["id"], &claim["verdict"]);
+            let row = format!("| {id} | {} |", claim.as_str().expect("a name"));
+            let row = index
+                .lines()
+                .find(|line| line.starts_with(&row))
+                .expect("a row");
+            // Escaped bars aside, seven cells.
+            assert_eq!(row.replace("\\|", "").matches(" | ").count(), 6, "{row}");
+            assert!(row.contains(&format!("| {} |", verdict.as_str().expect("a word"))));
+        }
+    }
+    let ids: Vec<&str> = papers.iter().filter_map(|p| p["paper"].as_str()).collect();
+    assert_eq!(ids, ["huang-wang", "cheng-yong"]);
+    let verdicts = all["verdicts"].as_object().expect("counts");
+    let counted: u64 = verdicts.values().filter_map(Value::as_u64).sum();
+    assert_eq!(counted, claims);
+}
+
 #[test]
 fn bad_usage_is_refused() {
     for arguments in [
         &["reproduce", "huang-wang", "--valence", "2..4"][..],
         &["reproduce", "huang-wang", "--valence", "3..51"],
+        &["reproduce", "cheng-yong", "--valence", "3..21"],
+        &["reproduce", "all", "--valence", "3..21"],
         &["reproduce", "no-such-paper"],
         &["reproduce"],
     ] {

@@ -5,21 +5,23 @@ use std::path::PathBuf;
 
 use anyhow::{Context, bail};
 use clap::ValueEnum;
-use subcert::paper::huang_wang_2008;
-use subcert::report::paper;
+use subcert::paper::{Report, cheng_yong, huang_wang_2008};
+use subcert::report::{paper, papers};
 
 use super::bound::Range;
 use super::exit::Outcome;
 use super::progress::Progress;
 
-/// Judges every claim of a paper.
+/// Judges every claim of a paper, or of all.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Examples:\n  subcert reproduce huang-wang\n  \
-        subcert reproduce huang-wang --valence 3..10 --out huang-wang\n\n\
+        subcert reproduce cheng-yong --valence 3..12\n  \
+        subcert reproduce all --out papers\n\n\
         Each printed number stands beside the paper's own method redone exactly and the sharp value, with\n\
         a verdict that is computed: sharp, true, loose, misprint, refuted or undecided. --out writes\n\
-        DIR/huang-wang.md and .json, plots as .svg, and DIR/certificates for subcert-check. Refuted claims\n\
-        are results: the exit code is 0.")]
+        DIR/PAPER.md and .json, plots as .svg, and DIR/certificates for subcert-check; for all papers also\n\
+        DIR/README.md, one table over all claims, and DIR/all.json. Refuted claims are results: the exit\n\
+        code is 0.")]
 pub struct Reproduce {
     /// Which paper
     #[arg(value_enum)]
@@ -39,38 +41,101 @@ pub struct Reproduce {
 enum PaperName {
     /// Huang & Wang 2008, on Loop surfaces and their limit meshes
     HuangWang,
+    /// Cheng & Yong, on depths of Catmull-Clark surfaces
+    ChengYong,
+    /// All of them
+    All,
 }
 
-/// Largest valence: the paper's own investigation ends there.
-const LARGEST_VALENCE: u32 = huang_wang_2008::printed::INVESTIGATED.1;
+/// Hears how many valences of how many are done.
+type Tell<'a> = dyn Fn(u32, u32) + Sync + 'a;
+
+/// A paper that can be examined.
+struct Paper {
+    name: PaperName,
+    /// The largest valence.
+    largest: u32,
+    examine: fn(&[u32], &Tell<'_>) -> anyhow::Result<Report>,
+}
+
+/// The papers, in the order of `all`.
+const PAPERS: [Paper; 2] = [
+    Paper {
+        name: PaperName::HuangWang,
+        // The paper's own investigation ends there.
+        largest: huang_wang_2008::printed::INVESTIGATED.1,
+        examine: |valences, tell| Ok(huang_wang_2008::examine(valences, tell)?),
+    },
+    Paper {
+        name: PaperName::ChengYong,
+        largest: 20,
+        examine: |valences, tell| Ok(cheng_yong::examine(valences, tell)),
+    },
+];
 
 impl Reproduce {
     pub fn run(&self) -> anyhow::Result<Outcome> {
-        let PaperName::HuangWang = self.paper;
-        if self.valence.first < 3 || self.valence.last > LARGEST_VALENCE {
-            bail!("--valence must lie in 3..{LARGEST_VALENCE}: the paper is about these valences");
+        let all = self.paper == PaperName::All;
+        let asked: Vec<&Paper> = PAPERS
+            .iter()
+            .filter(|paper| all || paper.name == self.paper)
+            .collect();
+        let largest = asked.iter().map(|paper| paper.largest).min().unwrap_or(3);
+        if self.valence.first < 3 || self.valence.last > largest {
+            let about = if all {
+                "all papers are"
+            } else {
+                "the paper is"
+            };
+            bail!("--valence must lie in 3..{largest}: {about} examined for these valences");
         }
         let valences: Vec<u32> = (self.valence.first..=self.valence.last).collect();
         let progress = Progress::new();
         let tell = |done, count| progress.units(done, count, "valences");
-        let report = huang_wang_2008::examine(&valences, &tell)?;
+        let reports: Vec<Report> = asked
+            .iter()
+            .map(|paper| (paper.examine)(&valences, &tell))
+            .collect::<Result<_, _>>()?;
         progress.finish();
-        if let Some(folder) = &self.out {
-            paper::write_folder(folder, &report).with_context(|| {
-                format!(
-                    "the report can't be written to {}: name a folder that can be written",
-                    folder.display()
-                )
-            })?;
-        }
+        self.write_folder(&reports)?;
+        self.print(&reports)?;
+        Ok(Outcome::Done)
+    }
+
+    fn write_folder(&self, reports: &[Report]) -> anyhow::Result<()> {
+        let Some(folder) = &self.out else {
+            return Ok(());
+        };
+        let written = match (self.paper, reports) {
+            (PaperName::All, _) => papers::write_folder(folder, reports),
+            (_, reports) => reports
+                .iter()
+                .try_for_each(|report| paper::write_folder(folder, report)),
+        };
+        written.with_context(|| {
+            format!(
+                "the report can't be written to {}: name a folder that can be written",
+                folder.display()
+            )
+        })
+    }
+
+    fn print(&self, reports: &[Report]) -> anyhow::Result<()> {
         let mut out = std::io::stdout().lock();
+        let one = match (self.paper, reports) {
+            (PaperName::All, _) => None,
+            (_, reports) => reports.first(),
+        };
+        match (one, self.json) {
+            (Some(report), true) => serde_json::to_writer_pretty(&mut out, &paper::json(report))?,
+            (None, true) => serde_json::to_writer_pretty(&mut out, &papers::json(reports))?,
+            (Some(report), false) => write!(out, "{}", paper::text(report))?,
+            (None, false) => write!(out, "{}", papers::text(reports))?,
+        }
         if self.json {
-            serde_json::to_writer_pretty(&mut out, &paper::json(&report))?;
             writeln!(out)?;
-        } else {
-            write!(out, "{}", paper::text(&report))?;
         }
         out.flush()?;
-        Ok(Outcome::Done)
+        Ok(())
     }
 }

@@ -6,6 +6,7 @@
 //!
 //! [`Report`] is what comes out: data that knows no paper, rendered by [`crate::report`].
 
+pub mod cheng_yong;
 mod enclosure;
 pub mod huang_wang_2008;
 mod report;

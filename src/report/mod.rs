@@ -4,4 +4,5 @@ pub mod constants;
 pub mod faces;
 pub mod measurement;
 pub mod paper;
+pub mod papers;
 pub mod plots;

@@ -192,7 +192,8 @@ pub fn markdown(report: &Report) -> String {
     out
 }
 
-fn link(file: &str) -> String {
+/// A link to a certificate.
+pub(super) fn link(file: &str) -> String {
     format!("[{}](certificates/{file})", file.trim_end_matches(".json"))
 }
 
