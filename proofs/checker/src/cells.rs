@@ -56,6 +56,8 @@ impl Goal<'_> {
         Ok(())
     }
 
+    /// At the distance r from the edge c is at most a mean of f on the edge, with the weight `(1 - r)^degree`, and the other
+    /// coefficients; a concave f lies below its tangents.
     fn edge(self, edge: usize, s: &BigRational) -> Outcome<()> {
         let (space, rule, patch) = (self.space, Rule::CellEdge, self.patch());
         let within = !s.is_negative() && s <= &BigRational::one();
@@ -75,6 +77,8 @@ impl Goal<'_> {
         Ok(())
     }
 
+    /// Second derivatives that are means of negative semidefinite matrices: c lies below its tangent plane, which is highest
+    /// at a corner.
     fn concave(self, point: &[BigRational; 2]) -> Outcome<()> {
         let (space, rule, patch) = (self.space, Rule::CellConcave, self.patch());
         ensure!(patch.contains(point), rule, "the point is not in the domain");

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, pow};
+use num_traits::{One, Zero, pow};
 
 use crate::claim::{Inequality, MeshViolation, Weights};
 use crate::cosine::rational_beta;
@@ -185,14 +185,20 @@ impl Mesh {
 
     /// The largest `|P - P'|^2`: `P - P' = w/n (n P - Σ ring)`, `w = 8 beta/(3 + 8 beta)`.
     fn largest(&self) -> BigRational {
-        let square = |a: usize| {
-            let (n, around) = (self.rings[a].len(), self.around(a));
-            let share = self.beta(n) * ratio(8, 1);
-            let share = &share / (ratio(3, 1) + &share) / ratio(n as i64, 1);
-            let rest = [0, 1, 2].map(|i| &self.points[a][i] * n - &around[i]);
-            pow(share / &self.den, 2) * norm(&rest)
+        // The largest of each valence, without the factors that they share.
+        let mut squares = HashMap::new();
+        for (a, ring) in self.rings.iter().enumerate() {
+            let around = self.around(a);
+            let square = norm(&[0, 1, 2].map(|i| &self.points[a][i] * ring.len() - &around[i]));
+            let most = squares.entry(ring.len()).or_insert_with(BigInt::zero);
+            *most = square.max(std::mem::take(most));
+        }
+        let whole = |(n, square): (usize, BigInt)| {
+            let w = self.beta(n) * ratio(8, 1);
+            let w = &w / (ratio(3, 1) + &w);
+            pow(w / ratio(n as i64, 1) / &self.den, 2) * square
         };
-        (0..self.points.len()).map(square).max().unwrap_or_default()
+        squares.into_iter().map(whole).max().unwrap_or_default()
     }
 
     /// `|S - (a + b)/2|^2`, S the limit point of the new vertex P of an edge (from 1): P/2 and a twelfth of its ring.
@@ -206,11 +212,11 @@ impl Mesh {
             let ends: BigInt = ends.iter().map(|&end| &self.points[end][i]).sum();
             (&mesh.points[at][i] - ends * &grow) * 6 + &around[i]
         });
-        Ok(norm(&rest) / pow(BigRational::from(mesh.den * 12), 2))
+        Ok(BigRational::new(norm(&rest), pow(mesh.den * 12, 2)))
     }
 }
 
 /// `|x|^2`.
-fn norm(x: &Vector) -> BigRational {
-    x.iter().map(|x| x * x).sum::<BigInt>().into()
+fn norm(x: &Vector) -> BigInt {
+    x.iter().map(|x| x * x).sum()
 }

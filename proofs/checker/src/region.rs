@@ -59,7 +59,9 @@ impl Proof<'_> {
         corners.into_iter().map(|point| point.map(|x| x * half(depth))).collect()
     }
 
-    /// `‖S - F_0‖ <= bound` over the word of J zeros.
+    /// `‖S - F_0‖ <= bound` over the word of J zeros: the bound carries itself from ring to ring. At `2^-K u` the target is
+    /// that of the level-K net at u plus `L(u)`, which is affine or bilinear, so that it lies between its corner values.
+    /// Order 1 does the same for `(t - (1 - mu) t_0)/mu`, mu the distance from the corner, t_0 the target there.
     pub fn lemma(&self, step: &Lemma) -> Outcome<()> {
         let (space, rule) = (self.space, Rule::Lemma);
         let bound = &space.value(&step.bound);
@@ -109,7 +111,8 @@ impl Proof<'_> {
         self.tail(&step.tail, &Ending { forms, factor: &bound.scale(&grow), net: last, bound })
     }
 
-    /// `‖S - F_k‖ <= upper` over the face; by the rule `tiles` for all Bernstein coefficients.
+    /// `‖S - F_k‖ <= upper` over the face; by the rule `tiles` for all Bernstein coefficients. Near the corner it is at
+    /// most the lemma's bound for the level-K net, plus `F_K - F_k` for the control mesh F_K.
     pub fn cover(&self, step: &Cover, i: usize, rule: Rule) -> Outcome<()> {
         let (space, claim) = (self.space, self.claim);
         let lemma = self.earlier_lemma(step.lemma, i, rule)?;

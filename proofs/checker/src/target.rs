@@ -2,7 +2,7 @@
 
 use crate::form::Form;
 use crate::net::{Net, Path};
-use crate::patch::{Part, Patch, Point};
+use crate::patch::{Patch, Point};
 use crate::rational::ratio;
 use crate::reject::{Outcome, Rejection, Rule};
 use crate::scheme::Mesh;
@@ -18,28 +18,24 @@ pub struct Target {
     pub level: usize,
 }
 
-/// q times F_k over a word of at least k letters and the root's.
+/// q times F_k over a word of at least k letters and the root's: affine or bilinear, by its values at the corners.
 pub struct Flat {
-    /// The values at the corners of the word's first k letters and the root's.
-    corners: Vec<Form>,
     patch: Patch,
-    /// The word in the parameters of those.
-    part: Part,
+    corners: Vec<Form>,
 }
 
 impl Flat {
     /// F_k at a point of the word.
     pub fn at(&self, point: &Point) -> Form {
-        let weights = self.patch.blend(&self.part.point(point)).into_iter();
+        let weights = self.patch.blend(point).into_iter();
         Form::mix(self.corners[0].size(), &weights.zip(&self.corners).collect::<Vec<_>>())
     }
 
     /// `form - F_k` at a point of the word.
     pub fn below(&self, form: &Form, point: &Point) -> Form {
-        let weights = self.patch.blend(&self.part.point(point));
-        let mesh = weights.into_iter().map(|x| -x).zip(&self.corners);
+        let mesh = self.patch.blend(point).into_iter().map(|x| -x).zip(&self.corners);
         let terms: Vec<_> = mesh.chain([(ratio(1, 1), form)]).collect();
-        Form::mix(self.corners[0].size(), &terms)
+        Form::mix(form.size(), &terms)
     }
 }
 
@@ -58,7 +54,9 @@ impl Target {
         let (net, rest) = (&nets[k], &word[k..whole]);
         let masks = space.scheme.mesh(self.mesh, net.valence, rest).ok_or_else(missing)?;
         let (corners, patch) = (masks.iter().map(|mask| net.apply(space, mask)), space.patch());
-        Ok(Flat { corners: corners.collect(), patch, part: patch.part(&word[whole..]) })
+        let (flat, part) = (Flat { patch, corners: corners.collect() }, patch.part(&word[whole..]));
+        let corners = patch.corners().iter().map(|corner| flat.at(&part.point(corner))).collect();
+        Ok(Flat { patch, corners })
     }
 
     /// q times the Bernstein coefficients over a regular word of at least k letters and the root's.
