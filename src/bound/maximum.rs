@@ -2,12 +2,12 @@
 
 use std::sync::LazyLock;
 
-use super::shape::Shape;
+use super::shape::{MOST_COEFFICIENTS, Shape};
 
 /// Number of grid steps along an edge.
 const GRID: usize = 8;
 
-type Samples = Vec<([f64; 2], Vec<f64>)>;
+type Samples = Vec<([f64; 2], [f64; MOST_COEFFICIENTS])>;
 
 /// The values of the Bernstein polynomials at the points of a grid.
 fn samples(shape: Shape) -> &'static Samples {

@@ -22,6 +22,17 @@ pub enum Shape {
     Biquadratic,
 }
 
+/// The largest number of coefficients.
+pub const MOST_COEFFICIENTS: usize = 16;
+
+const FACTORIALS: [f64; 5] = [1.0, 1.0, 2.0, 6.0, 24.0];
+
+/// x^0 .. x^4.
+fn powers(x: f64) -> [f64; 5] {
+    let square = x * x;
+    [1.0, x, square, square * x, square * square]
+}
+
 use Shape::{Bicubic as ThreeByThree, Biquadratic as TwoByTwo, Triangle};
 
 /// The corners of the four quarters of the triangle, in halves, by letter.
@@ -182,28 +193,40 @@ impl Shape {
         (0..self.count()).map(at).collect()
     }
 
-    /// The values of the Bernstein polynomials.
-    pub fn basis(self, [v, w]: [f64; 2]) -> Vec<f64> {
-        const FACTORIAL: [f64; 5] = [1.0, 1.0, 2.0, 6.0, 24.0];
-        let power = |x: f64, e: usize| x.powi(e as i32);
-        let d = self.degree();
-        let curve = |x: f64, i: usize| {
-            FACTORIAL[d] / (FACTORIAL[i] * FACTORIAL[d - i]) * power(x, i) * power(1.0 - x, d - i)
-        };
-        let at = |at: usize| {
-            let [j, k] = self.node(at).map(|x| x as usize);
-            match self {
-                Triangle => {
-                    let i = 4 - j - k;
-                    24.0 / (FACTORIAL[i] * FACTORIAL[j] * FACTORIAL[k])
-                        * power(1.0 - v - w, i)
-                        * power(v, j)
-                        * power(w, k)
+    /// The values of the Bernstein polynomials; zeros beyond their number.
+    pub fn basis(self, [v, w]: [f64; 2]) -> [f64; MOST_COEFFICIENTS] {
+        let mut values = [0.0; MOST_COEFFICIENTS];
+        match self {
+            Triangle => {
+                let [u, v, w] = [1.0 - v - w, v, w].map(powers);
+                for r in 0..=4usize {
+                    for k in 0..=r {
+                        let j = r - k;
+                        let count = 24.0 / (FACTORIALS[4 - r] * FACTORIALS[j] * FACTORIALS[k]);
+                        values[r * (r + 1) / 2 + k] = count * u[4 - r] * v[j] * w[k];
+                    }
                 }
-                ThreeByThree | TwoByTwo => curve(v, j) * curve(w, k),
             }
-        };
-        (0..self.count()).map(at).collect()
+            ThreeByThree | TwoByTwo => {
+                let d = self.degree();
+                let curve = |x: f64| {
+                    let (x, y) = (powers(x), powers(1.0 - x));
+                    let count = |i: usize| FACTORIALS[d] / (FACTORIALS[i] * FACTORIALS[d - i]);
+                    from_fn::<f64, 4, _>(|i| {
+                        if i <= d {
+                            count(i) * x[i] * y[d - i]
+                        } else {
+                            0.0
+                        }
+                    })
+                };
+                let (along, across) = (curve(v), curve(w));
+                for (at, value) in values[..self.count()].iter_mut().enumerate() {
+                    *value = along[at % (d + 1)] * across[at / (d + 1)];
+                }
+            }
+        }
+        values
     }
 
     /// The value and the two partial derivatives at a point.
