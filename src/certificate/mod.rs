@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 mod violation;
 
-pub use violation::{Form, MeshViolation, NetViolation};
+pub use violation::{Form, MeshViolation, NetInequality, NetViolation};
 
 /// A certificate file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,6 +35,8 @@ pub struct Certificate {
 pub enum Claim {
     /// A two-sided enclosure of a constant.
     Constant(ConstantClaim),
+    /// An inequality that holds.
+    Inequality(NetInequality),
     /// A net that violates an inequality.
     Net(NetViolation),
     /// A closed mesh that violates one.
@@ -196,6 +198,18 @@ pub enum Step {
         /// The basis.
         basis: usize,
     },
+    /// For each left side the indices of right sides, from 0, and what multiplies them.
+    Combined {
+        /// By left side.
+        multipliers: Vec<Vec<(usize, String)>>,
+    },
+    /// A net for which a left side reaches the factor.
+    Reached {
+        /// The left side, from 0.
+        left: usize,
+        /// Rationals, one for each point of the local net.
+        net: Vec<String>,
+    },
     /// The net that violates the claim's inequality.
     Violated {
         /// Rationals, one for each point of the local net.
@@ -262,23 +276,28 @@ pub enum By {
 }
 
 impl Certificate {
-    /// A certificate of a violated inequality.
-    pub fn of_violation(claim: Claim, cosine: Option<[String; 2]>, step: Step) -> Self {
+    /// A certificate of an inequality or a violation.
+    pub fn of_inequality(claim: Claim, cosine: Option<[String; 2]>, steps: Vec<Step>) -> Self {
         Certificate {
             format: "subcert".into(),
             version: 1,
             claim,
             cosine,
             bases: Vec::new(),
-            steps: vec![step],
+            steps,
         }
+    }
+
+    /// A certificate of a violated inequality.
+    pub fn of_violation(claim: Claim, cosine: Option<[String; 2]>, step: Step) -> Self {
+        Self::of_inequality(claim, cosine, vec![step])
     }
 
     /// The name of its file; violations are named by those who know what is violated.
     pub fn file_name(&self) -> Option<String> {
         match &self.claim {
             Claim::Constant(claim) => Some(claim.file_name()),
-            Claim::Net(_) | Claim::Mesh(_) => None,
+            Claim::Inequality(_) | Claim::Net(_) | Claim::Mesh(_) => None,
         }
     }
 

@@ -1,4 +1,4 @@
-//! Claims that an inequality fails: the net, or the mesh, that violates it.
+//! Claims that an inequality holds, or that it fails: the net, or the mesh, that violates it.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +17,27 @@ pub struct NetViolation {
     pub kind: String,
     /// The left side.
     pub left: Form,
+    /// The factor, a rational.
+    pub factor: String,
+    /// The right side: the largest magnitude of these.
+    pub right: Vec<Form>,
+}
+
+/// "|left_j| <= factor · max |right| for all nets and all j" is true.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NetInequality {
+    /// "loop", "catmull-clark" or "doo-sabin".
+    pub scheme: String,
+    /// Loop: "original" or "warren".
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub weights: Option<String>,
+    /// The valence.
+    pub valence: u32,
+    /// "inequality".
+    pub kind: String,
+    /// The left sides.
+    pub left: Vec<Form>,
     /// The factor, a rational.
     pub factor: String,
     /// The right side: the largest magnitude of these.

@@ -60,6 +60,7 @@ pub enum Kind {
 #[derive(Clone, Debug)]
 pub enum Claim {
     Constant(Constant),
+    Inequality(Inequality),
     Violation(Violation),
     MeshViolation(MeshViolation),
 }
@@ -100,6 +101,22 @@ pub struct Constant {
 pub struct Coefficient {
     pub word: Word,
     pub index: usize,
+}
+
+/// `|left_j| <= factor max |right_i|` holds.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Inequality {
+    pub scheme: SchemeName,
+    /// Absent unless the scheme is Loop's.
+    #[serde(default, deserialize_with = "present")]
+    pub weights: Option<Weights>,
+    pub valence: usize,
+    #[serde(rename = "kind")]
+    _kind: IgnoredAny,
+    pub left: Vec<Functional>,
+    pub factor: Number,
+    pub right: Vec<Functional>,
 }
 
 /// `|left| <= factor max |right_i|` is false.
@@ -160,7 +177,7 @@ pub struct MeshViolation {
     pub weights: Weights,
     #[serde(rename = "kind")]
     _kind: IgnoredAny,
-    pub inequality: Inequality,
+    pub inequality: OfMesh,
     pub level: usize,
     pub vertices: Vec<[Number; 3]>,
     /// Vertices from 1.
@@ -170,7 +187,7 @@ pub struct MeshViolation {
 /// The inequalities about meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Inequality {
+pub enum OfMesh {
     Recurrence,
     Rate,
     Distance,
@@ -187,6 +204,7 @@ pub fn by_kind<'de, D: Deserializer<'de>>(source: D) -> Result<Claim, D::Error> 
     }
     let text = <&RawValue>::deserialize(source)?.get();
     let claim = read::<Named>(text).and_then(|named| match &named.kind[..] {
+        "inequality" => read(text).map(Claim::Inequality),
         "violation" => read(text).map(Claim::Violation),
         "mesh-violation" => read(text).map(Claim::MeshViolation),
         _ => read(text).map(Claim::Constant),
@@ -201,29 +219,36 @@ impl Claim {
     ///
     /// If and only if it has not, or a limit is exceeded: rule `format`.
     pub fn check(&self) -> Outcome<()> {
-        let rule = Rule::Format;
         match self {
             Self::Constant(claim) => {
                 claim.setting().check()?;
-                ensure!(claim.fits(), rule, "the scheme has no such kind or norm");
+                ensure!(claim.fits(), Rule::Format, "the scheme has no such kind or norm");
                 level(claim.level)
+            }
+            Self::Inequality(claim) => {
+                claim.setting().check()?;
+                forms(claim.scheme, claim.left.iter().chain(&claim.right))
             }
             Self::Violation(claim) => {
                 claim.setting().check()?;
-                ensure!(claim.right.len() <= FORMS, rule, "more than {FORMS} forms");
-                for form in claim.right.iter().chain([&claim.left]) {
-                    if let Functional::Against(form) = form {
-                        let mesh =
-                            form.against == Mesh::Control || claim.scheme != SchemeName::DooSabin;
-                        ensure!(mesh, rule, "the scheme has no such mesh");
-                        level(form.level)?;
-                    }
-                }
-                Ok(())
+                forms(claim.scheme, claim.right.iter().chain([&claim.left]))
             }
             Self::MeshViolation(claim) => level(claim.level),
         }
     }
+}
+
+/// Checks the number of forms, and the meshes and levels in them.
+fn forms<'a>(scheme: SchemeName, all: impl Iterator<Item = &'a Functional>) -> Outcome<()> {
+    for (count, form) in all.enumerate() {
+        ensure!(count < FORMS, Rule::Format, "more than {FORMS} forms");
+        if let Functional::Against(form) = form {
+            let mesh = form.against == Mesh::Control || scheme != SchemeName::DooSabin;
+            ensure!(mesh, Rule::Format, "the scheme has no such mesh");
+            level(form.level)?;
+        }
+    }
+    Ok(())
 }
 
 fn level(level: usize) -> Outcome<()> {
@@ -274,6 +299,12 @@ impl Constant {
             (SchemeName::DooSabin, Norm::Face) => matches!(self.kind, Control | Rate),
             _ => false,
         }
+    }
+}
+
+impl Inequality {
+    pub fn setting(&self) -> Setting {
+        Setting { scheme: self.scheme, weights: self.weights, valence: self.valence }
     }
 }
 

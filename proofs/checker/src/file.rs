@@ -75,6 +75,8 @@ pub enum Step {
     Apply(Apply),
     Differences(Differences),
     Weight(Weight),
+    Combined(Combined),
+    Reached(Reached),
     Violated(Violated),
     Recurrence(Nothing),
     Rate(Nothing),
@@ -167,6 +169,20 @@ pub struct Differences {
 #[serde(deny_unknown_fields)]
 pub struct Weight {
     pub basis: Cite,
+}
+
+/// For each left side, indices of right sides and what multiplies them.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Combined {
+    pub multipliers: Vec<Vec<(usize, Number)>>,
+}
+
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Reached {
+    pub left: usize,
+    pub net: Vec<Number>,
 }
 
 #[derive(Debug, serde::Deserialize)]

@@ -12,7 +12,7 @@
 //! | `space`, `patch`, `word`, `form`, `net`, `target` | 1, 8: the claim's setting, Bernstein forms, words, nets, targets |
 //! | `basis` | 3: bases, multipliers, weights |
 //! | `proof`, `region`, `cells`, `covering` | 4: the rules |
-//! | `violation`, `mesh` | 7: violated inequalities |
+//! | `inequality`, `violation`, `mesh` | 7: inequalities that hold, and violated ones |
 
 #![forbid(unsafe_code)]
 
@@ -27,6 +27,7 @@ mod covering;
 mod doo_sabin;
 mod file;
 mod form;
+mod inequality;
 mod lattice;
 mod loop_scheme;
 mod mesh;
@@ -84,6 +85,7 @@ fn prove(file: &file::File) -> Outcome<()> {
             let space = space::Space::new(&claim.setting(), claim.norm, file.cosine.as_ref())?;
             proof::Proof::new(file, claim, &space)?.check()
         }
+        Claim::Inequality(claim) => inequality::check(file, claim),
         Claim::Violation(claim) => violation::check(file, claim),
         Claim::MeshViolation(claim) => mesh::check(file, claim),
     }

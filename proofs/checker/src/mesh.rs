@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Zero, pow};
 
-use crate::claim::{Inequality, MeshViolation, Weights};
+use crate::claim::{MeshViolation, OfMesh, Weights};
 use crate::cosine::rational_beta;
 use crate::file::{File, Number, Step};
 use crate::rational::{contrast, ratio};
@@ -45,24 +45,24 @@ pub fn check(file: &File, claim: &MeshViolation) -> Outcome<()> {
     let (step, k) = (only_step(file)?, claim.level);
     let mesh = Mesh::first(claim)?;
     let (rule, levels) = match claim.inequality {
-        Inequality::Recurrence => (Rule::Recurrence, 0..=LEVEL),
-        Inequality::Rate => (Rule::Rate, 1..=LEVEL),
-        Inequality::Distance => (Rule::Distance, 0..=0),
+        OfMesh::Recurrence => (Rule::Recurrence, 0..=LEVEL),
+        OfMesh::Rate => (Rule::Rate, 1..=LEVEL),
+        OfMesh::Distance => (Rule::Distance, 0..=0),
     };
     ensure!(levels.contains(&k), rule, "the level is not within {levels:?}");
     // The left and the right side of the inequality, squared.
     let (left, right) = match (claim.inequality, step) {
-        (Inequality::Recurrence, Step::Recurrence(_)) => {
+        (OfMesh::Recurrence, Step::Recurrence(_)) => {
             let mesh = mesh.after(k)?;
             let right = pow(mesh.rho(), 2) * mesh.largest();
             (mesh.after(1)?.largest(), right)
         }
-        (Inequality::Rate, Step::Rate(_)) => {
+        (OfMesh::Rate, Step::Rate(_)) => {
             let first = mesh.largest();
             let mesh = mesh.after(k)?;
             (mesh.largest(), pow(mesh.rho(), 2 * k) * first)
         }
-        (Inequality::Distance, Step::Distance(step)) => (mesh.middle(step.edge)?, mesh.largest()),
+        (OfMesh::Distance, Step::Distance(step)) => (mesh.middle(step.edge)?, mesh.largest()),
         _ => return Err(Rejection::new(Rule::Claim, "the step is not that of the inequality")),
     };
     let (x, y) = contrast(&left, &right);

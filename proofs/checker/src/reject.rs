@@ -57,6 +57,10 @@ rules! {
     Covering = "covering",
     /// A tail.
     Tail = "tail",
+    /// An inequality about nets, by multipliers.
+    Combined = "combined",
+    /// That no smaller factor will do.
+    Reached = "reached",
     /// A violated inequality about nets.
     Violated = "violated",
     /// A mesh that is not closed, or too large.

@@ -1,4 +1,4 @@
-//! Inequalities about nets that are false: section 7 of FORMAT.md.
+//! Inequalities about nets that are false, and the forms in them: section 7 of FORMAT.md.
 
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -45,7 +45,7 @@ pub fn check(file: &File, claim: &Violation) -> Outcome<()> {
     let mut path = Path::new(&space);
     // Both sides are times q > 0, at the same net and the same beta.
     let mut magnitudes = |form: &Functional| -> Outcome<[BigRational; 2]> {
-        let form = functional(&space, &mut path, form)?;
+        let form = functional(&space, &mut path, form, Rule::Violated)?;
         space.charge(form.cost() * (1 + den.bits() / 64))?;
         Ok(space.ring.magnitudes(&form.at(&net, &den)))
     };
@@ -60,8 +60,11 @@ pub fn check(file: &File, claim: &Violation) -> Outcome<()> {
 }
 
 /// q times the functional.
-fn functional(space: &Space, path: &mut Path, form: &Functional) -> Outcome<Form> {
-    let rule = Rule::Violated;
+///
+/// # Errors
+///
+/// If it is none: the given rule; `format` for limits.
+pub fn functional(space: &Space, path: &mut Path, form: &Functional, rule: Rule) -> Outcome<Form> {
     match form {
         Functional::Terms(form) => {
             let Word(word) = &form.word;

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use crate::claim::{Claim, Constant, Inequality, Kind, Norm, SchemeName, Setting, Weights};
+use crate::claim::{Claim, Constant, Kind, Norm, OfMesh, SchemeName, Setting, Weights};
 use crate::covering::text;
 use crate::file::Value;
 use crate::rational::decimal;
@@ -11,6 +11,14 @@ use crate::rational::decimal;
 pub fn in_words(claim: &Claim) -> String {
     match claim {
         Claim::Constant(claim) => constant(claim),
+        Claim::Inequality(claim) => {
+            let (factor, left, right) =
+                (number(&claim.factor.0), claim.left.len(), claim.right.len());
+            let scheme = setting(&claim.setting());
+            format!(
+                "{scheme}: |left_j(y)| <= {factor} max |right_i(y)|, j = 1..{left}, i = 1..{right}"
+            )
+        }
         Claim::Violation(claim) => {
             let (factor, right) = (number(&claim.factor.0), claim.right.len());
             let scheme = setting(&claim.setting());
@@ -19,9 +27,9 @@ pub fn in_words(claim: &Claim) -> String {
         Claim::MeshViolation(claim) => {
             let (k, weights) = (claim.level, weights(claim.weights));
             let inequality = match claim.inequality {
-                Inequality::Recurrence => format!("M_{} <= rho M_{k}", k + 1),
-                Inequality::Rate => format!("M_{k} <= rho^{k} M_0"),
-                Inequality::Distance => "|S - F| <= M_0".to_string(),
+                OfMesh::Recurrence => format!("M_{} <= rho M_{k}", k + 1),
+                OfMesh::Rate => format!("M_{k} <= rho^{k} M_0"),
+                OfMesh::Distance => "|S - F| <= M_0".to_string(),
             };
             let (points, faces) = (claim.vertices.len(), claim.faces.len());
             format!(

@@ -16,7 +16,7 @@
 //! | section 5 | `conclusion.rs` | the rates, and those of Loop's scheme |
 //! | (7), (23), (31)-(33) as functions | [`depth`] | exact ceilings |
 //!
-//! Printed numbers are in [`printed`]; everything else is computed by [`examine`]. Suprema over norms of nets come
+//! What holds has certificates from `proofs.rs`, what fails from `violation.rs`. Printed numbers are in [`printed`]; everything else is computed by [`examine`]. Suprema over norms of nets come
 //! from one place, [`norm`]. The text at hand is scanned and lacks Appendix B and (41)-(44).
 
 mod appendix_a;
@@ -33,6 +33,7 @@ pub mod matrix;
 pub mod norm;
 mod plots;
 pub mod printed;
+mod proofs;
 mod regular;
 mod second_order;
 pub mod setting;
@@ -60,6 +61,7 @@ struct Valence {
     second: second_order::Facts,
     d: appendix_d::Facts,
     triangles: conclusion::Facts,
+    proofs: Vec<proofs::Proof>,
 }
 
 impl Valence {
@@ -73,6 +75,7 @@ impl Valence {
             second: second_order::Facts::of(&setting),
             d: appendix_d::Facts::of(&setting),
             triangles: conclusion::Facts::of(&setting),
+            proofs: proofs::of(&setting),
         }
     }
 
@@ -126,11 +129,14 @@ fn report(found: &[Valence]) -> Report {
     claims.extend(examples::claims());
     claims.extend(conclusion::claims(found, &scope));
     claims.retain(|claim| claim.scope != words::NOWHERE);
-    let mut certificates: Vec<Named> = found
-        .iter()
-        .flat_map(|v| v.certificates().cloned())
-        .collect();
+    let mut held = proofs::of_regular();
+    held.extend(found.iter().flat_map(|v| v.proofs.iter().cloned()));
+    proofs::cite(&held, &mut claims);
+    let violated = found.iter().flat_map(|v| v.certificates().cloned());
+    let held = held.into_iter().map(|proof| proof.named);
+    let mut certificates: Vec<Named> = violated.chain(held).collect();
     certificates.sort_by(|a, b| a.0.cmp(&b.0));
+    certificates.dedup_by(|a, b| a.0 == b.0);
     Report {
         id: "cheng-yong",
         title: "Subdivision depth computation and adaptive subdivision of Catmull-Clark subdivision surfaces",

@@ -22,6 +22,8 @@ pub enum Sup {
         value: Rational,
         /// The net.
         net: Vec<Rational>,
+        /// One for each row: the combination of the rows that is t, their magnitudes adding up to the value.
+        multipliers: Vec<Rational>,
     },
     /// No bound: t does not vanish at a net of norm 0.
     Unbounded {
@@ -62,6 +64,7 @@ impl Norm {
             Some(best) => Sup::Finite {
                 value: best.value,
                 net: best.y,
+                multipliers: best.x,
             },
             None => Sup::Open,
         }

@@ -28,12 +28,7 @@ impl Violation<'_> {
     /// The certificate.
     pub fn certificate(&self) -> Named {
         let (word, left) = self.left;
-        let terms = left.coefficients().iter().enumerate();
-        let nonzero = terms.filter(|(_, a)| !num_traits::Zero::is_zero(*a));
-        let left = Form::Points {
-            word: word.into(),
-            terms: nonzero.map(|(i, a)| (i + 1, a.to_string())).collect(),
-        };
+        let left = points_form(word, left);
         // A difference may occur twice in a norm: V4 - V6 and V6 - V4.
         let mut right: Vec<Form> = Vec::new();
         for form in self.right.iter().map(first_net_form) {
@@ -62,8 +57,18 @@ pub fn texts(net: &[Rational]) -> Vec<String> {
     net.iter().map(Rational::to_string).collect()
 }
 
+/// A combination of the points of the net of a word.
+pub fn points_form(word: &str, combination: &Functional) -> Form {
+    let terms = combination.coefficients().iter().enumerate();
+    let nonzero = terms.filter(|(_, a)| !num_traits::Zero::is_zero(*a));
+    Form::Points {
+        word: word.into(),
+        terms: nonzero.map(|(i, a)| (i + 1, a.to_string())).collect(),
+    }
+}
+
 /// The row with its first coefficient positive, so that a difference has one form.
-fn first_net_form(row: &IntegerRow) -> Form {
+pub fn first_net_form(row: &IntegerRow) -> Form {
     let terms = row.terms();
     let sign = terms.first().map_or(1, |(_, a)| a.signum());
     let text = |&(i, a): &(usize, i64)| (i + 1, (a * sign).to_string());
