@@ -8,6 +8,7 @@
 
 mod enclosure;
 pub mod huang_wang_2008;
+pub mod lanquetin_neveu_2004;
 mod report;
 mod words;
 
