@@ -142,11 +142,13 @@ fn proof() -> (Vec<Claim>, Vec<(String, Certificate)>) {
     };
     let first = vertex.is_zero() && !middle.is_zero();
     let name = "lanquetin-neveu-theorem-5-proof.json".to_string();
+    // A certificate's words lie in the quarter 0: there the vertex is the corner (1, 1), and (1, 0) the
+    // middle of the edge to (0, -1).
     let certificate = violation(
         (NAME, None, 4),
-        distance_form("2", 0, [1, 0]),
+        distance_form("01", 0, [1, 0]),
         &integer(1_000_000),
-        vec![distance_form("2", 0, [0, 0])],
+        vec![distance_form("02", 0, [1, 1])],
         &saddle,
         None,
     );
@@ -288,7 +290,7 @@ fn restriction(sides: &[u32]) -> (Claim, Vec<(String, Certificate)>) {
             if let (Some(true), Some(exact)) = (refuted, exact) {
                 let right = differences(n).iter().map(|r| row_form("", r)).collect();
                 let name = format!("lanquetin-neveu-theorem-5-polygon-n{n:02}.json");
-                let left = distance_form("2", 0, [0, 0]);
+                let left = distance_form("02", 0, [1, 1]);
                 let place = (NAME, None, n);
                 files.push((
                     name,

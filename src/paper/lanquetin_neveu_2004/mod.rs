@@ -4,9 +4,9 @@
 //! | claims | file | decided by |
 //! |---|---|---|
 //! | Theorems 1, 4, Corollaries 1, 4, (9) | `curves.rs` | exact linear programs |
-//! | (1)-(3), Theorem 2, Corollary 2 | `catmull_clark.rs` | eigenvectors, exact linear programs |
+//! | (1)-(3), Theorem 2, Corollary 2 | `catmull_clark_masks.rs`, `catmull_clark.rs` | eigenvectors, exact linear programs |
 //! | (4), (5), 5/8 - nβ | `loop_masks.rs` | identities in Q(cos 2π/n) |
-//! | Theorem 3, Corollary 3 at n = 6 | `theorem_3.rs`, `meshes.rs`, `lengths.rs` | closed meshes, exact squares |
+//! | Theorem 3, Corollary 3 at n = 6 | `theorem_3.rs`, `smallest.rs`, `meshes.rs`, `lengths.rs` | closed meshes, exact squares |
 //! | the same by valence | `valences.rs`, `extremal.rs` | intervals; nets without displacements |
 //! | no constant saves it | `tori.rs` | a proof, and exact nets on tori |
 //! | what is true instead | `remedy.rs` | C_k(n), with certificates |
@@ -18,6 +18,7 @@
 //! Printed numbers are in [`printed`]; everything else is computed by [`examine`].
 
 mod catmull_clark;
+mod catmull_clark_masks;
 mod curves;
 pub mod depth;
 mod doo_sabin;
@@ -31,6 +32,7 @@ mod nets;
 mod plots;
 pub mod printed;
 mod remedy;
+pub mod smallest;
 mod tables;
 pub mod theorem_3;
 pub mod tori;
@@ -110,7 +112,7 @@ fn report(asked: &[u32], by_valence: &[ValenceFindings], constants: &[Constants]
         ],
         tables: vec![
             theorem_3::table(&examined),
-            theorem_3::suprema_table(),
+            smallest::table(),
             valences::table(by_valence),
             tori::table(&members),
             remedy::table(constants),
