@@ -141,7 +141,7 @@ mod tests {
         // n = 4: rate 9/64. 7 (9/64)^2 = 0.138.. < 1/5 < 7 (9/64) = 0.98.
         assert_eq!(corollary_3(&at(7, 1), &at(1, 5), &at(9, 64)), Some(2));
         assert_eq!(corollary_3(&at(49, 1), &at(1, 25), &at(81, 4096)), Some(2));
-        let wide = Enclosure::new(r(9, 64), r(1, 1000) + r(9, 64));
+        let wide = Enclosure::new(r(9, 64) - r(1, 1000), r(9, 64));
         assert_eq!(corollary_3(&at(64, 9), &at(1, 1), &wide), None);
     }
 }

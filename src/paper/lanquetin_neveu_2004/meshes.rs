@@ -70,7 +70,7 @@ pub fn tetrahedron() -> Authored {
         name: "lanquetin-neveu-tetrahedron",
         title: "tetrahedron, all valences 3: M_1 > M_0 / 4",
         points: vec![[4, 1, 0], [4, -1, 0], [-4, 0, 1], [-4, 0, -1]],
-        faces: vec![[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]],
+        faces: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
     }
 }
 
@@ -262,12 +262,10 @@ fn determinant([a, b, c]: [[i64; 3]; 3]) -> i64 {
     a[0] * cross(1, 2) + a[1] * cross(2, 0) + a[2] * cross(0, 1)
 }
 
-/// A round regular torus of m x k vertices with the radii 40 and 20, its circles cut at rational
-/// points: all coordinates are integers over 1000, times 1000.
+/// A round regular torus of m x k vertices with the radii 40 000 and 20 000, rounded to integers.
 pub fn round_torus(m: u32, k: u32) -> Authored {
     let circle = |i: u32, n: u32| {
-        // (1 - t^2, 2 t) / (1 + t^2), t = tan of half the angle: any rounding serves, the points are
-        // integers afterwards.
+        // Thousandths: the last digits of sines differ between machines.
         let turn = f64::from(i) / f64::from(n) * std::f64::consts::TAU;
         [turn.cos(), turn.sin()].map(|x| (x * 1000.0).round() as i64)
     };
