@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, bail};
 use clap::ValueEnum;
-use subcert::paper::{Report, cheng_yong, huang_wang_2008};
+use subcert::paper::{Report, cheng_yong, huang_wang_2008, lanquetin_neveu_2004};
 use subcert::report::{paper, papers};
 
 use super::bound::Range;
@@ -43,6 +43,8 @@ enum PaperName {
     HuangWang,
     /// Cheng & Yong, on depths of Catmull-Clark surfaces
     ChengYong,
+    /// Lanquetin & Neveu 2004, on levels of three schemes
+    LanquetinNeveu,
     /// All of them
     All,
 }
@@ -59,7 +61,7 @@ struct Paper {
 }
 
 /// The papers, in the order of `all`.
-const PAPERS: [Paper; 2] = [
+const PAPERS: [Paper; 3] = [
     Paper {
         name: PaperName::HuangWang,
         // The paper's own investigation ends there.
@@ -70,6 +72,11 @@ const PAPERS: [Paper; 2] = [
         name: PaperName::ChengYong,
         largest: 20,
         examine: |valences, tell| Ok(cheng_yong::examine(valences, tell)),
+    },
+    Paper {
+        name: PaperName::LanquetinNeveu,
+        largest: 20,
+        examine: |valences, tell| Ok(lanquetin_neveu_2004::examine(valences, tell)),
     },
 ];
 

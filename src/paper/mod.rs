@@ -9,6 +9,7 @@
 pub mod cheng_yong;
 mod enclosure;
 pub mod huang_wang_2008;
+pub mod lanquetin_neveu_2004;
 mod report;
 mod words;
 
