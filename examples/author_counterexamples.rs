@@ -1,18 +1,17 @@
-//! Writes the meshes of `proofs/counterexamples` and the certificates `lanquetin-neveu-*.json` of
-//! `proofs/certificates`, from the repository's root:
+//! Writes the meshes of `proofs/counterexamples`, from the repository's root:
 //!
 //! ```sh
 //! cargo run --release --example author_counterexamples
 //! ```
 //!
-//! With `-- --only-meshes` the certificates stay as they are. The meshes are made here, free of anyone's
-//! rights (CC0-1.0); a test compares the files with what this program makes.
+//! The meshes are made here, free of anyone's rights (CC0-1.0); a test compares the files with what this
+//! program makes. Their certificates are written by `author_proofs`.
 
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use subcert::paper::lanquetin_neveu_2004::{examine, meshes};
+use subcert::paper::lanquetin_neveu_2004::meshes;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new("proofs");
@@ -23,21 +22,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&target)?;
     for mesh in meshes::counterexamples() {
         fs::write(target.join(format!("{}.obj", mesh.name)), mesh.obj())?;
-    }
-    if std::env::args().any(|argument| argument == "--only-meshes") {
-        return Ok(());
-    }
-    let valences: Vec<u32> = (3..=20).collect();
-    let report = examine(&valences, &|done, count| eprintln!("{done} of {count}"));
-    let ours = report
-        .certificates
-        .iter()
-        .filter(|(name, _)| name.starts_with("lanquetin-neveu-"));
-    for (name, certificate) in ours {
-        let mut text = Vec::new();
-        certificate.write(&mut text)?;
-        fs::write(folder.join("certificates").join(name), text)?;
-        println!("{name}");
     }
     Ok(())
 }

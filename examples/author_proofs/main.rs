@@ -6,11 +6,13 @@
 //!
 //! With `-- --only-rejected` the certificates stay as they are.
 //!
-//! The certificates are what `subcert bound` writes for n = 3..50. A rejected file is a certificate with
+//! The certificates are what `subcert bound` writes for n = 3..50, and what `subcert reproduce` writes of
+//! inequalities. A rejected file is a certificate with
 //! one fault, named `<rule>-<fault>.json` after the rule that must reject it.
 
 mod loop_faults;
 mod quad_faults;
+mod violation_faults;
 
 use std::error::Error;
 use std::fs;
@@ -20,6 +22,8 @@ use std::path::Path;
 use serde_json::{Value, json};
 use subcert::bound::word::Word;
 use subcert::bound::{Against, Constant, Family, Norm, Row, tabulate};
+use subcert::certificate::Certificate;
+use subcert::paper::{Report, cheng_yong, lanquetin_neveu_2004};
 use subcert::report::constants::write_certificates;
 use subcert::scheme::LoopWeights::{Original, Warren};
 
@@ -33,6 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     renew(&folder.join("rejected"))?;
     loop_faults::write_all(&folder.join("rejected"))?;
     quad_faults::write_all(&folder.join("rejected"))?;
+    violation_faults::write_all(&folder.join("rejected"))?;
     if std::env::args().any(|argument| argument == "--only-rejected") {
         return Ok(());
     }
@@ -40,6 +45,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (family, valences, list) in committed() {
         let rows = constants(family, &valences.collect::<Vec<_>>(), &list);
         write_certificates(&folder.join("certificates"), &rows)?;
+    }
+    for report in papers() {
+        for (name, certificate) in report
+            .certificates
+            .iter()
+            .filter(|(n, _)| n.starts_with(report.id))
+        {
+            fs::write(folder.join("certificates").join(name), text(certificate)?)?;
+        }
     }
     let deltas: Vec<Constant> = (0..15)
         .map(|i| Constant::Coefficient(Word::EMPTY, i))
@@ -99,6 +113,21 @@ fn constants(family: impl Into<Family>, valences: &[u32], constants: &[Constant]
     rows
 }
 
+/// The papers whose certificates are not all constants: inequalities that hold, and violations.
+fn papers() -> [Report; 2] {
+    let valences = |last| (3..=last).collect::<Vec<u32>>();
+    [
+        cheng_yong::examine(&valences(10), &|_, _| ()),
+        lanquetin_neveu_2004::examine(&valences(20), &|_, _| ()),
+    ]
+}
+
+fn text(certificate: &Certificate) -> std::io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    certificate.write(&mut text)?;
+    Ok(text)
+}
+
 /// A certificate as JSON.
 fn certificate(
     family: impl Into<Family>,
@@ -106,11 +135,9 @@ fn certificate(
     constant: Constant,
 ) -> Result<Value, Box<dyn Error>> {
     let rows = constants(family, &[n], &[constant]);
-    let mut text = Vec::new();
     let certificate = rows[0].certificate.as_ref().ok_or("no certificate")?;
     println!("from {}", certificate.file_name().unwrap_or_default());
-    certificate.write(&mut text)?;
-    Ok(serde_json::from_slice(&text)?)
+    Ok(serde_json::from_slice(&text(certificate)?)?)
 }
 
 /// The first cell of a list whose way has the given name.

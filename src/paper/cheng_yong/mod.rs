@@ -47,6 +47,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use rayon::prelude::*;
 
 use super::Report;
+use super::proof::{Proof, cite};
 use crate::paper::words::{self, ranges};
 use setting::Setting;
 use violation::Named;
@@ -61,7 +62,7 @@ struct Valence {
     second: second_order::Facts,
     d: appendix_d::Facts,
     triangles: conclusion::Facts,
-    proofs: Vec<proofs::Proof>,
+    proofs: Vec<Proof>,
 }
 
 impl Valence {
@@ -131,7 +132,7 @@ fn report(found: &[Valence]) -> Report {
     claims.retain(|claim| claim.scope != words::NOWHERE);
     let mut held = proofs::of_regular();
     held.extend(found.iter().flat_map(|v| v.proofs.iter().cloned()));
-    proofs::cite(&held, &mut claims);
+    cite(&held, &mut claims);
     let violated = found.iter().flat_map(|v| v.certificates().cloned());
     let held = held.into_iter().map(|proof| proof.named);
     let mut certificates: Vec<Named> = violated.chain(held).collect();

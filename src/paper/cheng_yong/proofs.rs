@@ -6,42 +6,21 @@ use super::norm::{Norm, Sup};
 use super::printed;
 use super::setting::{Setting, difference, grid_differences, phi, second_differences_of};
 use super::violation::{Named, first_net_form, points_form, texts};
-use crate::bound::{self, Against, Constant, Family, Prover};
+use crate::bound::{Against, Constant, Family};
 use crate::certificate::{Certificate, Claim, Form, NetInequality, Step};
-use crate::paper;
+use crate::paper::proof::{Proof, constants};
 use crate::scalar::{Decide, Rational};
 use crate::scheme::IntegerRow;
 
-/// Relative gap of constants that are not exact.
-const GAP: f64 = 1e-6;
-
-/// A certificate and the claims that it supports.
-#[derive(Clone, Debug)]
-pub struct Proof {
-    /// The file's name and its content.
-    pub named: Named,
-    /// Names of claims.
-    pub claims: &'static [&'static str],
-}
-
-/// Adds the names of the files to the claims.
-pub fn cite(proofs: &[Proof], claims: &mut [paper::Claim]) {
-    for claim in claims {
-        let of_claim = proofs
-            .iter()
-            .filter(|proof| proof.claims.contains(&claim.id));
-        claim
-            .certificates
-            .extend(of_claim.map(|proof| proof.named.0.clone()));
-    }
-}
+const FIRST: Family = Family::CatmullClark(crate::bound::Norm::First);
+const SECOND: Family = Family::CatmullClark(crate::bound::Norm::Second);
 
 /// Those about regular patches.
 pub fn of_regular() -> Vec<Proof> {
     let control = |k| Constant::Distance(Against::Control, k);
     constants(
+        SECOND,
         super::regular::REGULAR,
-        bound::Norm::Second,
         &[
             (control(0), &["lemma-2"]),
             (control(1), &["eq-6", "theorem-4", "theorem-4-strict"]),
@@ -65,8 +44,8 @@ pub fn of_regular() -> Vec<Proof> {
 pub fn of(setting: &Setting) -> Vec<Proof> {
     let n = setting.n;
     let mut proofs = constants(
+        FIRST,
         n,
-        bound::Norm::First,
         &[
             (
                 Constant::Rate(1),
@@ -77,8 +56,8 @@ pub fn of(setting: &Setting) -> Vec<Proof> {
         ],
     );
     proofs.extend(constants(
+        SECOND,
         n,
-        bound::Norm::Second,
         &[
             (Constant::Rate(1), &["eq-26-second", "avoid-five"]),
             (Constant::Rate(2), &["eq-26-levels"]),
@@ -249,20 +228,4 @@ fn certificate(name: &str, n: u32, lefts: &[Left], norm: &Norm) -> Option<Named>
     ];
     let file = format!("cheng-yong-{name}-n{n:02}.json");
     Some((file, Certificate::of_inequality(claim, None, steps)))
-}
-
-/// Certificates of constants that have a proof.
-fn constants(
-    n: u32,
-    norm: bound::Norm,
-    list: &[(Constant, &'static [&'static str])],
-) -> Vec<Proof> {
-    let mut prover = Prover::new(Family::CatmullClark(norm), n);
-    let mut prove = |&(constant, claims): &(Constant, &'static [&'static str])| {
-        let proof = prover.prove(constant, GAP)?;
-        let certificate = prover.certificate(&proof);
-        let named = (certificate.file_name()?, certificate);
-        Some(Proof { named, claims })
-    };
-    list.iter().filter_map(&mut prove).collect()
 }

@@ -31,6 +31,7 @@ mod needed;
 mod nets;
 mod plots;
 pub mod printed;
+mod proofs;
 mod remedy;
 pub mod smallest;
 mod tables;
@@ -43,6 +44,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use rayon::prelude::*;
 
 use super::Report;
+use super::proof::cite;
 use remedy::Constants;
 use valences::ValenceFindings;
 
@@ -94,6 +96,9 @@ fn report(asked: &[u32], by_valence: &[ValenceFindings], constants: &[Constants]
     claims.extend(tori::claims(&members));
     claims.extend(needed::claims(&depths));
     claims.extend(tables::claims());
+    let constants_of_quads = proofs::of(asked);
+    cite(&constants_of_quads, &mut claims);
+    certificates.extend(constants_of_quads.into_iter().map(|proof| proof.named));
     certificates.sort_by(|a, b| a.0.cmp(&b.0));
     certificates.dedup_by(|a, b| a.0 == b.0);
     Report {
