@@ -418,7 +418,7 @@ fn mutants_are_rejected_or_claim_what_is_true() {
         let more = tabulate(weights, &[6], &coefficients, 1e-6, true, &|_, _| ());
         for row in rows.into_iter().chain(more) {
             let text = String::from_utf8(bytes(&row)).expect("text");
-            let (more, good) = try_mutants(&text, MUTANTS_OF_EACH_QUAD, &mut random, &mut truth);
+            let (more, good) = try_mutants(&text, MUTANTS_OF_EACH, &mut random, &mut truth);
             tried += more;
             verified += good;
         }

@@ -143,7 +143,7 @@ fn all_papers_share_a_folder_and_an_index() {
         }
     }
     let ids: Vec<&str> = papers.iter().filter_map(|p| p["paper"].as_str()).collect();
-    assert_eq!(ids, ["huang-wang", "cheng-yong"]);
+    assert_eq!(ids, ["huang-wang", "cheng-yong", "lanquetin-neveu"]);
     let verdicts = all["verdicts"].as_object().expect("counts");
     let counted: u64 = verdicts.values().filter_map(Value::as_u64).sum();
     assert_eq!(counted, claims);
@@ -155,6 +155,7 @@ fn bad_usage_is_refused() {
         &["reproduce", "huang-wang", "--valence", "2..4"][..],
         &["reproduce", "huang-wang", "--valence", "3..51"],
         &["reproduce", "cheng-yong", "--valence", "3..21"],
+        &["reproduce", "lanquetin-neveu", "--valence", "3..21"],
         &["reproduce", "all", "--valence", "3..21"],
         &["reproduce", "no-such-paper"],
         &["reproduce"],
