@@ -501,3 +501,78 @@ fn the_root_of_a_face_is_its_quarter() {
     assert_eq!(rules.root().to_string(), "");
     assert_eq!(rules.differences(5).len(), 20);
 }
+
+/// `r_1(N) = 3/4 + 7/(4N) - 13/(2N^2)` in the first-order norm for **every** N >= 6 (proofs/README.md); what
+/// that proof leaves to the computer.
+///
+/// *Lower side*: the net 0 at V1, -1 at V10, V11, V12, +1 elsewhere. *Upper side*: `V1' - V_odd'` and
+/// `V1' - V_even'` by their coefficients over the differences at V1. The other differences do not involve
+/// V1' and are the same combinations of V1 .. V10, V(2N), V(2N+1) and the outer points for every N >= 6: their least weights
+/// over the differences of these points are at most 3/4, a bound for every such N.
+#[test]
+fn r_1_in_the_first_order_norm_for_every_valence() {
+    let bound = |n: i64| ratio(3, 4) + ratio(7, 4 * n) - ratio(13, 2 * n * n);
+    for n in [6u32, 7, 12, 31] {
+        let size = catmull_clark::local_net_size(n);
+        let one = |i: usize| match i {
+            0 => 0,
+            9..=11 => -1,
+            _ => 1,
+        };
+        let net: Vec<Rational> = (0..size)
+            .map(|i| <Rational as Field>::ratio(one(i), 1))
+            .collect();
+        let rows = catmull_clark::first_differences(n);
+        assert_eq!(norm(&rows, &net), Rational::one());
+        let refined = catmull_clark::refine_local_net::<Rational, _>(n, &net);
+        let attained = Cyclotomic::from_rational(&norm(&rows, &refined));
+        assert_eq!(attained, bound(i64::from(n)), "N = {n}");
+    }
+    // The far points of the ring, V11 .. V(2N-1), take no part.
+    let n = 6;
+    let size = catmull_clark::local_net_size(n);
+    let far = 10..2 * n as usize - 1;
+    let near =
+        |row: &subcert::scheme::IntegerRow| row.terms().iter().all(|(i, _)| !far.contains(i));
+    let rows: Vec<_> = catmull_clark::first_differences(n);
+    let near_rows: Vec<_> = rows.iter().filter(|row| near(row)).cloned().collect();
+    let unit = |at: usize| -> Vec<Rational> {
+        (0..size)
+            .map(|i| <Rational as Field>::ratio(i64::from(i == at), 1))
+            .collect()
+    };
+    let columns: Vec<Vec<Rational>> = (0..size)
+        .map(|at| catmull_clark::refine_local_net::<Rational, _>(n, &unit(at)))
+        .collect();
+    let program = subcert::lp::Rows::new(near_rows, size);
+    let mut largest = Rational::zero();
+    for row in rows.iter().filter(|row| row.terms()[0].0 != 0) {
+        let t: Vec<Rational> = (columns.iter())
+            .map(|column| row.apply::<Rational, Rational>(column))
+            .collect();
+        let best = program
+            .minimise(&t, program.start())
+            .expect("in their span");
+        largest = largest.max(best.value);
+    }
+    assert!(largest <= <Rational as Field>::ratio(3, 4), "{largest}");
+    // The sums of magnitudes for V1' - V_even', V1' - V_odd' as functions of N, by hand: see the README.
+    for n in 5..=400i64 {
+        let (b, c) = (
+            Rational::new(3.into(), (2 * n * n).into()),
+            Rational::new(1.into(), (4 * n * n).into()),
+        );
+        let r = |p: i64, q: i64| <Rational as Field>::ratio(p, q);
+        let odd = &b * r(n - 2, 1)
+            + (&b - r(1, 4)).abs() * r(2, 1)
+            + &c * r(n - 1, 1)
+            + (&c - r(1, 4)).abs();
+        let even = &b * r(n - 3, 1)
+            + (&b - r(3, 8)).abs()
+            + (&b - r(1, 16)).abs() * r(2, 1)
+            + &c * r(n - 2, 1)
+            + (&c - r(1, 16)).abs() * r(2, 1);
+        assert_eq!(Cyclotomic::from_rational(&odd), bound(n));
+        assert!(even <= odd);
+    }
+}
