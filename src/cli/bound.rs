@@ -132,6 +132,7 @@ fn gap(text: &str) -> Result<f64, String> {
 
 /// Largest valence and level: beyond, one constant takes minutes.
 const LARGEST_VALENCE: u32 = 400;
+const MOST_SIDES: u32 = 64;
 const HIGHEST_LEVEL: u32 = 16;
 const HIGHEST_RATE_LEVEL: u32 = 16;
 
@@ -148,9 +149,13 @@ impl Bound {
             bail!("--valence is missing: write one, such as 5, or a range, such as 3..12");
         };
         let valences: Vec<u32> = (valence.first..=valence.last).collect();
-        if valence.first < 3 || valence.last > LARGEST_VALENCE {
+        let largest = match family {
+            Family::DooSabin => MOST_SIDES,
+            Family::Loop(_) | Family::CatmullClark(_) => LARGEST_VALENCE,
+        };
+        if valence.first < 3 || valence.last > largest {
             bail!(
-                "--valence must lie in 3..{LARGEST_VALENCE}: an interior vertex has at least three faces"
+                "--valence must lie in 3..{largest}: a face has at least three sides, an interior vertex three faces"
             );
         }
         let progress = Progress::new();
