@@ -492,13 +492,13 @@ fn first_differences_are_those_of_cheng_and_yong() {
 #[test]
 fn the_root_of_a_face_is_its_quarter() {
     let rules: Box<dyn Rules<Exact<num_bigint::BigInt>>> = Box::new(DooSabin { n: 5 });
-    assert_eq!(rules.root().to_string(), "0");
-    assert_eq!(rules.size(), 10);
+    assert_eq!(rules.layout().root.to_string(), "0");
+    assert_eq!(rules.layout().size, 10);
     let rules: Box<dyn Rules<Exact<num_bigint::BigInt>>> = Box::new(CatmullClark {
         n: 5,
         norm: Norm::Second,
     });
-    assert_eq!(rules.root().to_string(), "");
+    assert_eq!(rules.layout().root.to_string(), "");
     assert_eq!(rules.differences(5).len(), 20);
 }
 

@@ -19,7 +19,7 @@ use std::fs;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use serde_json::{Value, json};
+use serde_json::Value;
 use subcert::bound::word::Word;
 use subcert::bound::{Against, Constant, Family, Norm, Row, tabulate};
 use subcert::certificate::Certificate;

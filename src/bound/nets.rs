@@ -39,7 +39,7 @@ pub struct Nets<A: Arithmetic> {
 impl<A: Arithmetic> Nets<A> {
     /// The first net only.
     pub fn new(arithmetic: A, rules: Box<dyn Rules<A>>) -> Self {
-        let size = rules.size();
+        let size = rules.layout().size;
         let first = (0..size).map(|i| arithmetic.unit(size, i)).collect();
         Nets {
             arithmetic,
@@ -55,7 +55,7 @@ impl<A: Arithmetic> Nets<A> {
     }
 
     fn shape(&self) -> Shape {
-        self.rules.shape()
+        self.rules.layout().shape
     }
 
     /// The net of a word.
@@ -88,7 +88,7 @@ impl<A: Arithmetic> Nets<A> {
 
     /// The factor times F_k at the corners of a word of the root with at least k letters more.
     pub fn mesh_at_corners(&mut self, word: Word, against: Against, k: usize) -> Vec<A::V> {
-        let piece = k + self.rules.root().len();
+        let piece = k + self.rules.layout().root.len();
         let letter = if piece > k { word.letter(k) } else { 0 };
         let mesh = self.mesh_corners(word.prefix(k), letter, against);
         if word.len() == piece {
@@ -119,7 +119,7 @@ impl<A: Arithmetic> Nets<A> {
     /// corner, mu the ramp of the root's `0^depth`.
     pub fn linear_target(&mut self, word: Word, depth: usize) -> Vec<A::V> {
         let corner = self.corner_target(Against::Control, 0);
-        let (shape, start) = (self.shape(), self.rules.root().len() + depth);
+        let (shape, start) = (self.shape(), self.rules.layout().root.len() + depth);
         let side = 1i64 << (word.len() - start);
         let corners = word.corners_within(shape, start);
         let ramps: Vec<i64> = (corners.iter())

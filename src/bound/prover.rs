@@ -119,7 +119,7 @@ impl Prover {
         let family = family.into();
         let numbers = family.numbers(n);
         let rules: Box<dyn Rules<Floats>> = family.rules(n);
-        let rows = Rows::new(rules.differences(n), rules.size());
+        let rows = Rows::new(rules.differences(n), rules.layout().size);
         Prover {
             family,
             rows,
@@ -136,12 +136,12 @@ impl Prover {
 
     /// The domain of patches.
     pub(super) fn shape(&self) -> Shape {
-        self.floats.rules().shape()
+        self.floats.rules().layout().shape
     }
 
     /// The word that is the face.
     pub(super) fn root(&self) -> Word {
-        self.floats.rules().root()
+        self.floats.rules().layout().root
     }
 
     /// The valence.

@@ -103,7 +103,7 @@ impl Tail {
     /// The functionals without D (times the factor of the space), by corner, and the differences
     /// (without the factor).
     fn functionals<A: Arithmetic>(&self, nets: &mut Nets<A>) -> (Vec<A::V>, Vec<A::V>) {
-        let (steps, shape) = (self.steps, nets.rules().shape());
+        let (steps, shape) = (self.steps, nets.rules().layout().shape);
         let z = nets.root_corners(steps);
         let differences = nets.differences(Word::zeros(steps));
         // F_0 at the corner c of `0^depth`; the last corner is the mirror image of corner 1.
@@ -114,7 +114,7 @@ impl Tail {
         };
         match self.kind {
             TailKind::Distance(against, level) => {
-                let word = Word::zeros(nets.rules().root().len() + steps + self.depth);
+                let word = Word::zeros(nets.rules().layout().root.len() + steps + self.depth);
                 let f = nets.mesh_at_corners(word, against, level);
                 let pairs = corners.iter().zip(&f);
                 let bases = pairs.map(|(&corner, f)| at(&z, corner, side) - f);

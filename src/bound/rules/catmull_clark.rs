@@ -1,13 +1,13 @@
 //! Catmull-Clark.
 
-use super::{Norm, Rules, log2};
+use super::{Layout, Norm, Rules, log2};
 use crate::bernstein::from_net::bicubic;
 use crate::bound::arithmetic::Arithmetic;
 use crate::bound::nets::{Against, Net};
 use crate::bound::shape::Shape;
 use crate::bound::word::Word;
+use crate::scheme::IntegerRow;
 use crate::scheme::catmull_clark::{self as scheme, REGULAR_LABELS};
-use crate::scheme::{IntegerRow, Tile};
 
 /// At valence n >= 3.
 #[derive(Clone, Copy, Debug)]
@@ -21,32 +21,16 @@ pub struct CatmullClark {
 const REGULAR: u32 = 4;
 
 impl<A: Arithmetic> Rules<A> for CatmullClark {
-    fn shape(&self) -> Shape {
-        Shape::Bicubic
-    }
-
-    fn root(&self) -> Word {
-        Word::EMPTY
-    }
-
-    fn size(&self) -> usize {
-        scheme::local_net_size(self.n)
-    }
-
-    fn valence(&self) -> u32 {
-        self.n
-    }
-
-    fn regular_valence(&self) -> u32 {
-        REGULAR
-    }
-
-    fn regular_labels(&self) -> &'static [usize] {
-        &REGULAR_LABELS
-    }
-
-    fn tile_labels(&self, valence: u32, tile: Tile) -> Vec<usize> {
-        scheme::tile_labels(valence, tile).to_vec()
+    fn layout(&self) -> Layout {
+        Layout {
+            shape: Shape::Bicubic,
+            root: Word::EMPTY,
+            size: scheme::local_net_size(self.n),
+            valence: self.n,
+            regular: REGULAR,
+            labels: &REGULAR_LABELS,
+            tile_labels: |n, tile| scheme::tile_labels(n, tile).to_vec(),
+        }
     }
 
     fn differences(&self, valence: u32) -> Vec<IntegerRow> {

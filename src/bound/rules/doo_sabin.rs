@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::{Rules, log2};
+use super::{Layout, Rules, log2};
 use crate::bernstein::from_net::biquadratic;
 use crate::bernstein::midpoint;
 use crate::bound::arithmetic::Arithmetic;
@@ -10,8 +10,8 @@ use crate::bound::nets::{Against, Net};
 use crate::bound::shape::Shape;
 use crate::bound::word::Word;
 use crate::scalar::{Field, Ring};
+use crate::scheme::IntegerRow;
 use crate::scheme::doo_sabin::{self as scheme, REGULAR_LABELS};
-use crate::scheme::{IntegerRow, Tile};
 
 /// At a face of n >= 3 sides.
 ///
@@ -26,32 +26,16 @@ pub struct DooSabin {
 const REGULAR: u32 = 4;
 
 impl<A: Arithmetic> Rules<A> for DooSabin {
-    fn shape(&self) -> Shape {
-        Shape::Biquadratic
-    }
-
-    fn root(&self) -> Word {
-        Word::zeros(1)
-    }
-
-    fn size(&self) -> usize {
-        scheme::local_net_size(self.n)
-    }
-
-    fn valence(&self) -> u32 {
-        self.n
-    }
-
-    fn regular_valence(&self) -> u32 {
-        REGULAR
-    }
-
-    fn regular_labels(&self) -> &'static [usize] {
-        &REGULAR_LABELS
-    }
-
-    fn tile_labels(&self, valence: u32, tile: Tile) -> Vec<usize> {
-        scheme::tile_labels(valence, tile).to_vec()
+    fn layout(&self) -> Layout {
+        Layout {
+            shape: Shape::Biquadratic,
+            root: Word::zeros(1),
+            size: scheme::local_net_size(self.n),
+            valence: self.n,
+            regular: REGULAR,
+            labels: &REGULAR_LABELS,
+            tile_labels: |n, tile| scheme::tile_labels(n, tile).to_vec(),
+        }
     }
 
     fn differences(&self, valence: u32) -> Vec<IntegerRow> {

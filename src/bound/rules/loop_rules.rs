@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::{Rules, log2};
+use super::{Layout, Rules, log2};
 use crate::bernstein::from_net::box_spline;
 use crate::bound::arithmetic::Arithmetic;
 use crate::bound::nets::{Against, Net};
@@ -10,7 +10,7 @@ use crate::bound::shape::Shape;
 use crate::bound::word::Word;
 use crate::scalar::Ring;
 use crate::scheme::loop_scheme::{self, REGULAR_LABELS};
-use crate::scheme::{IntegerRow, LoopWeights, Tile};
+use crate::scheme::{IntegerRow, LoopWeights};
 
 /// At valence n >= 3, with any ring weight: the arithmetic has b.
 ///
@@ -32,32 +32,16 @@ pub fn vertex_point<A: Arithmetic>(arithmetic: &A, n: u32, center: &A::V, sum: &
 }
 
 impl<A: Arithmetic> Rules<A> for Loop {
-    fn shape(&self) -> Shape {
-        Shape::Triangle
-    }
-
-    fn root(&self) -> Word {
-        Word::EMPTY
-    }
-
-    fn size(&self) -> usize {
-        loop_scheme::local_net_size(self.n)
-    }
-
-    fn valence(&self) -> u32 {
-        self.n
-    }
-
-    fn regular_valence(&self) -> u32 {
-        REGULAR
-    }
-
-    fn regular_labels(&self) -> &'static [usize] {
-        &REGULAR_LABELS
-    }
-
-    fn tile_labels(&self, valence: u32, tile: Tile) -> Vec<usize> {
-        loop_scheme::tile_labels(valence, tile).to_vec()
+    fn layout(&self) -> Layout {
+        Layout {
+            shape: Shape::Triangle,
+            root: Word::EMPTY,
+            size: loop_scheme::local_net_size(self.n),
+            valence: self.n,
+            regular: REGULAR,
+            labels: &REGULAR_LABELS,
+            tile_labels: |n, tile| loop_scheme::tile_labels(n, tile).to_vec(),
+        }
     }
 
     fn differences(&self, valence: u32) -> Vec<IntegerRow> {

@@ -134,29 +134,30 @@ impl Family {
     }
 }
 
-/// The rules of a scheme at a valence, for nets of functionals in an arithmetic.
-pub trait Rules<A: Arithmetic>: fmt::Debug + Send + Sync {
+/// How the nets of a scheme are laid out.
+#[derive(Clone, Copy, Debug)]
+pub struct Layout {
     /// The domain of patches.
-    fn shape(&self) -> Shape;
-
+    pub shape: Shape,
     /// The word that is the face: the whole of the net's domain, or its quarter 0. F_0 is affine or
     /// bilinear on it.
-    fn root(&self) -> Word;
-
+    pub root: Word,
     /// The number of points of the first net.
-    fn size(&self) -> usize;
-
+    pub size: usize,
     /// The valence.
-    fn valence(&self) -> u32;
-
+    pub valence: u32,
     /// The valence at which local nets are regular.
-    fn regular_valence(&self) -> u32;
-
+    pub regular: u32,
     /// The label in a local net of regular valence of each point of a regular net.
-    fn regular_labels(&self) -> &'static [usize];
+    pub labels: &'static [usize],
+    /// The labels, among the level-1 points of a local net of a valence, of a tile's regular net.
+    pub tile_labels: fn(u32, Tile) -> Vec<usize>,
+}
 
-    /// The labels, among the level-1 points of a local net, of a tile's regular net.
-    fn tile_labels(&self, valence: u32, tile: Tile) -> Vec<usize>;
+/// The rules of a scheme at a valence, for nets of functionals in an arithmetic.
+pub trait Rules<A: Arithmetic>: fmt::Debug + Send + Sync {
+    /// The layout of nets.
+    fn layout(&self) -> Layout;
 
     /// The differences of a local net of a valence, whose largest is M.
     fn differences(&self, valence: u32) -> Vec<IntegerRow>;
@@ -174,40 +175,43 @@ pub trait Rules<A: Arithmetic>: fmt::Debug + Send + Sync {
     /// A net as a local net, with its valence.
     fn local(&self, net: &Net<A::V>) -> (u32, Vec<A::V>) {
         match net {
-            Net::Extraordinary(points) => (self.valence(), points.clone()),
+            Net::Extraordinary(points) => (self.layout().valence, points.clone()),
             Net::Regular(points) => {
                 let mut local = points.clone();
-                for (point, label) in points.iter().zip(self.regular_labels()) {
+                let layout = self.layout();
+                for (point, label) in points.iter().zip(layout.labels) {
                     local[label - 1] = point.clone();
                 }
-                (self.regular_valence(), local)
+                (layout.regular, local)
             }
         }
     }
 
     /// The net of a letter, from the level-1 points of its parent.
     fn child(&self, parent: &Net<A::V>, letter: u8, refined: &[A::V]) -> Net<A::V> {
+        let layout = self.layout();
         let pick = |labels: &[usize]| labels.iter().map(|l| refined[l - 1].clone()).collect();
         match (tile(letter), parent) {
             (Some(tile), Net::Extraordinary(_)) => {
-                Net::Regular(pick(&self.tile_labels(self.valence(), tile)))
+                Net::Regular(pick(&(layout.tile_labels)(layout.valence, tile)))
             }
             (Some(tile), Net::Regular(_)) => {
-                Net::Regular(pick(&self.tile_labels(self.regular_valence(), tile)))
+                Net::Regular(pick(&(layout.tile_labels)(layout.regular, tile)))
             }
             (None, Net::Extraordinary(points)) => {
                 Net::Extraordinary(refined[..points.len()].to_vec())
             }
-            (None, Net::Regular(_)) => Net::Regular(pick(self.regular_labels())),
+            (None, Net::Regular(_)) => Net::Regular(pick(layout.labels)),
         }
     }
 
     /// The regular net behind a net: itself, or the extraordinary net where the valence is regular.
     fn regular(&self, net: &Net<A::V>) -> Option<Vec<A::V>> {
+        let layout = self.layout();
         match net {
             Net::Regular(points) => Some(points.clone()),
-            Net::Extraordinary(points) if self.valence() == self.regular_valence() => {
-                let labels = self.regular_labels().iter();
+            Net::Extraordinary(points) if layout.valence == layout.regular => {
+                let labels = layout.labels.iter();
                 Some(labels.map(|l| points[l - 1].clone()).collect())
             }
             Net::Extraordinary(_) => None,
