@@ -7,11 +7,14 @@ use crate::certificate::Certificate;
 /// Relative gap of constants that are not exact.
 const GAP: f64 = 1e-6;
 
+/// The name of a file, and the certificate in it.
+pub type Named = (String, Certificate);
+
 /// A certificate and the claims that it supports.
 #[derive(Clone, Debug)]
 pub struct Proof {
     /// The file's name and its content.
-    pub named: (String, Certificate),
+    pub named: Named,
     /// Names of claims.
     pub claims: &'static [&'static str],
 }
@@ -40,4 +43,12 @@ pub fn cite(proofs: &[Proof], claims: &mut [Claim]) {
         let files = of_claim.map(|proof| proof.named.0.clone());
         claim.certificates.extend(files);
     }
+}
+
+/// Certificates in the order of their files' names, each once.
+pub fn by_name(certificates: impl IntoIterator<Item = Named>) -> Vec<Named> {
+    let mut sorted: Vec<Named> = certificates.into_iter().collect();
+    sorted.sort_by(|a, b| a.0.cmp(&b.0));
+    sorted.dedup_by(|a, b| a.0 == b.0);
+    sorted
 }

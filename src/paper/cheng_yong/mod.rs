@@ -47,10 +47,9 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use rayon::prelude::*;
 
 use super::Report;
-use super::proof::{Proof, cite};
+use super::proof::{Named, Proof, by_name, cite};
 use crate::paper::words::{self, ranges};
 use setting::Setting;
-use violation::Named;
 
 /// Everything that is computed for a valence; the claims only compare.
 #[derive(Clone, Debug)]
@@ -135,9 +134,7 @@ fn report(found: &[Valence]) -> Report {
     cite(&held, &mut claims);
     let violated = found.iter().flat_map(|v| v.certificates().cloned());
     let held = held.into_iter().map(|proof| proof.named);
-    let mut certificates: Vec<Named> = violated.chain(held).collect();
-    certificates.sort_by(|a, b| a.0.cmp(&b.0));
-    certificates.dedup_by(|a, b| a.0 == b.0);
+    let certificates = by_name(violated.chain(held));
     Report {
         id: "cheng-yong",
         title: "Subdivision depth computation and adaptive subdivision of Catmull-Clark subdivision surfaces",

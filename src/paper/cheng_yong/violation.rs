@@ -21,8 +21,7 @@ pub struct Violation<'a> {
     pub net: &'a [Rational],
 }
 
-/// A certificate and the name of its file.
-pub type Named = (String, Certificate);
+pub use crate::paper::proof::Named;
 
 impl Violation<'_> {
     /// The certificate.

@@ -33,6 +33,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use rayon::prelude::*;
 
 use super::Report;
+use super::proof::by_name;
 use crate::paper::words::{self, ranges};
 use valence::{Proved, Valence};
 
@@ -125,9 +126,7 @@ fn report(found: &Findings) -> Report {
     claims.extend(comparison::claims(found));
     claims.retain(|claim| claim.scope != words::NOWHERE);
     let every = found.asked.iter().chain([&found.regular]);
-    let mut certificates: Vec<_> = every.flat_map(|v| v.certificates.clone()).collect();
-    certificates.sort_by(|a, b| a.0.cmp(&b.0));
-    certificates.dedup_by(|a, b| a.0 == b.0);
+    let certificates = by_name(every.flat_map(|v| v.certificates.clone()));
     Report {
         id: "huang-wang",
         title: "Bounding the distance between a Loop subdivision surface and its limit mesh",

@@ -44,7 +44,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use rayon::prelude::*;
 
 use super::Report;
-use super::proof::cite;
+use super::proof::{by_name, cite};
 use remedy::Constants;
 use valences::ValenceFindings;
 
@@ -99,8 +99,6 @@ fn report(asked: &[u32], by_valence: &[ValenceFindings], constants: &[Constants]
     let constants_of_quads = proofs::of(asked);
     cite(&constants_of_quads, &mut claims);
     certificates.extend(constants_of_quads.into_iter().map(|proof| proof.named));
-    certificates.sort_by(|a, b| a.0.cmp(&b.0));
-    certificates.dedup_by(|a, b| a.0 == b.0);
     Report {
         id: "lanquetin-neveu",
         title: "A priori computation of the number of surface subdivision levels",
@@ -126,6 +124,6 @@ fn report(asked: &[u32], by_valence: &[ValenceFindings], constants: &[Constants]
         ],
         claims,
         plots: plots::plots(by_valence, &members),
-        certificates,
+        certificates: by_name(certificates),
     }
 }
