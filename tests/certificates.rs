@@ -430,3 +430,65 @@ fn mutants_are_rejected_or_claim_what_is_true() {
         "{verified} of {tried} mutants verified"
     );
 }
+
+/// |left| and the largest |right| of a violation about Catmull-Clark at the net of its step, by the
+/// library's own refinement.
+fn both_sides(file: &Value) -> (Rational, Rational) {
+    let number =
+        |value: &Value| -> Rational { value.as_str().expect("text").parse().expect("a rational") };
+    let list = |value: &Value| value.as_array().expect("a list").clone();
+    let n = file["claim"]["valence"].as_u64().expect("a number") as u32;
+    let net: Vec<Rational> = list(&file["steps"][0]["net"]).iter().map(number).collect();
+    let magnitude = |form: &Value| -> Rational {
+        let word = form["word"].as_str().expect("a word");
+        assert!(word.bytes().all(|letter| letter == b'0'), "{word}");
+        let points = word.bytes().fold(net.clone(), |points, _| {
+            subcert::scheme::catmull_clark::refine_local_net::<Rational, _>(n, &points)
+        });
+        let terms = list(&form["terms"]).into_iter().map(|term| {
+            let label = term[0].as_u64().expect("a label") as usize;
+            number(&term[1]) * &points[label - 1]
+        });
+        num_traits::Signed::abs(&terms.sum::<Rational>())
+    };
+    let right = list(&file["claim"]["right"]);
+    let largest = right.iter().map(magnitude).max().expect("a right side");
+    (magnitude(&file["claim"]["left"]), largest)
+}
+
+#[test]
+fn mutants_of_violations_are_rejected_or_violations() {
+    let mut random = Random(SEED + 2);
+    let (mut tried, mut verified) = (0, 0);
+    for name in [
+        "cheng-yong-eq-49-n05",
+        "cheng-yong-eq-52-second-n06",
+        "cheng-yong-quads-faster-n03",
+    ] {
+        let path = proofs().join("certificates").join(format!("{name}.json"));
+        let text = fs::read_to_string(path).expect("a certificate");
+        for _ in 0..400 {
+            let mutant = mutant(&text, &mut random);
+            if mutant == text {
+                continue;
+            }
+            tried += 1;
+            if check(mutant.as_bytes()).outcome.is_ok() {
+                verified += 1;
+                let file: Value = serde_json::from_str(&mutant).expect("it was read");
+                let factor = &file["claim"]["factor"];
+                let factor: Rational = factor.as_str().expect("text").parse().expect("a rational");
+                let (left, right) = both_sides(&file);
+                assert!(
+                    left > factor * right,
+                    "verified, but no violation:\n{mutant}"
+                );
+            }
+        }
+    }
+    println!("{tried} mutants, {verified} verified, all of these true");
+    assert!(
+        tried > 1_000 && verified < tried / 2,
+        "{verified} of {tried}"
+    );
+}
