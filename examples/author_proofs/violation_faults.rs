@@ -62,8 +62,8 @@ fn inequalities(folder: &Path, certificate: &Value) -> Result<(), Box<dyn Error>
                 let list = c["steps"][0]["multipliers"][0]
                     .as_array_mut()
                     .expect("a list");
-                let first = list[0].clone();
-                list.insert(0, first);
+                let nothing = json!([list[0][0], "0"]);
+                list.insert(0, nothing);
             }),
             ("combined-list-missing", |c| {
                 c["steps"][0]["multipliers"]
