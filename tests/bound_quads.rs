@@ -487,6 +487,22 @@ fn first_differences_are_those_of_cheng_and_yong() {
     }
 }
 
+/// What a family has no such constant of is refused, not guessed.
+#[test]
+fn constants_that_are_not_defined_have_no_proof() {
+    let coefficient = Constant::Coefficient(subcert::bound::word::Word::EMPTY, 0);
+    for (family, constant) in [
+        (Family::DooSabin, limit(0)),
+        (Family::DooSabin, Constant::MeshRate(1)),
+        (Family::DooSabin, coefficient),
+        (SECOND, coefficient),
+        (FIRST, Constant::Beta),
+    ] {
+        assert!(!family.knows(constant));
+        assert!(Prover::new(family, 5).prove(constant, GAP).is_none());
+    }
+}
+
 /// A square's word 0 of a Doo-Sabin net keeps the face's centroid at its corner, and a regular net read
 /// as an extraordinary one with four sides has the same constants.
 #[test]

@@ -16,7 +16,6 @@ use super::maximum;
 use super::nets::Against;
 use super::part::{CellProof, rationals_near, reasons};
 use super::prover::{Bound, Prover, Target};
-use super::rules::Family;
 use super::shape::Shape;
 use super::tail::{Tail, TailKind};
 use super::value::Value;
@@ -42,9 +41,6 @@ struct TileMethod {
 impl Prover {
     /// Encloses β; `None` if no proof was found.
     pub(super) fn beta(&mut self, gap: f64) -> Option<Proof> {
-        let Family::Loop(_) = self.family else {
-            return None;
-        };
         let lemma = self.main_lemma()?;
         let whole = |cell: &CellProof| cell.word.len() == cell.word.leading_zeros() + 1;
         if !lemma

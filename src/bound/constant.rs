@@ -4,6 +4,7 @@ use super::nets::Against;
 use super::part::CellProof;
 use super::prover::{Bound, Prover};
 use super::rate::words_of;
+use super::rules::Family;
 use super::tail::TailProof;
 use super::value::Value;
 use super::word::Word;
@@ -126,9 +127,29 @@ impl Proof {
     }
 }
 
+impl Family {
+    /// Whether a constant is defined for the family: all for Loop; distances and rates for Catmull-Clark;
+    /// for Doo-Sabin distances to control meshes and rates, as the net of a face determines no limit mesh.
+    pub fn knows(self, constant: Constant) -> bool {
+        match (self, constant) {
+            (Family::Loop(_), _) => true,
+            (_, Constant::Coefficient(..) | Constant::Beta) => false,
+            (Family::CatmullClark(_), _) => true,
+            (Family::DooSabin, Constant::Distance(Against::Control, _) | Constant::Rate(_)) => true,
+            (Family::DooSabin, Constant::Distance(Against::Limit, _) | Constant::MeshRate(_)) => {
+                false
+            }
+        }
+    }
+}
+
 impl Prover {
-    /// Encloses a constant within the relative gap; `None` if no proof was found.
+    /// Encloses a constant within the relative gap; `None` if no proof was found, or if the family has no
+    /// such constant ([`Family::knows`]).
     pub fn prove(&mut self, constant: Constant, gap: f64) -> Option<Proof> {
+        if !self.family.knows(constant) {
+            return None;
+        }
         match constant {
             Constant::Distance(against, k) => self.distance(against, k, gap),
             Constant::Rate(k) => self.rate(constant, vec![Word::zeros(k)]),

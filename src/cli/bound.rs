@@ -96,6 +96,19 @@ enum ConstantName {
     Beta,
 }
 
+impl ConstantName {
+    /// The constant of a level; β has none.
+    fn of_level(self, k: usize) -> Constant {
+        match self {
+            ConstantName::Rate => Constant::Rate(k),
+            ConstantName::MeshRate => Constant::MeshRate(k),
+            ConstantName::Control => Constant::Distance(Against::Control, k),
+            ConstantName::Beta => Constant::Beta,
+            ConstantName::Limit => Constant::Distance(Against::Limit, k),
+        }
+    }
+}
+
 /// `A..B`, both ends included, or one number.
 #[derive(Clone, Copy, Debug)]
 pub struct Range {
@@ -252,16 +265,11 @@ impl Bound {
                 scheme.name()
             );
         };
-        let known: &[ConstantName] = match family {
-            Family::Loop(_) => ConstantName::value_variants(),
-            Family::CatmullClark(_) => &[
-                ConstantName::Rate,
-                ConstantName::MeshRate,
-                ConstantName::Control,
-                ConstantName::Limit,
-            ],
-            Family::DooSabin => &[ConstantName::Rate, ConstantName::Control],
-        };
+        let known: Vec<ConstantName> = ConstantName::value_variants()
+            .iter()
+            .filter(|constant| family.knows(constant.of_level(1)))
+            .copied()
+            .collect();
         if !known.contains(&self.constant) {
             let name = |constant: &ConstantName| {
                 let value = constant.to_possible_value();
@@ -299,13 +307,7 @@ impl Bound {
                 level.last
             );
         }
-        let constant = |k: u32| match self.constant {
-            ConstantName::Rate => Constant::Rate(k as usize),
-            ConstantName::MeshRate => Constant::MeshRate(k as usize),
-            ConstantName::Control => Constant::Distance(Against::Control, k as usize),
-            ConstantName::Beta => Constant::Beta,
-            ConstantName::Limit => Constant::Distance(Against::Limit, k as usize),
-        };
+        let constant = |k: u32| self.constant.of_level(k as usize);
         Ok((level.first..=level.last).map(constant).collect())
     }
 
