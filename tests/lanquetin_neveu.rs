@@ -307,3 +307,41 @@ proptest! {
         ).expect("exact"));
     }
 }
+
+/// The method of Tables 1 to 3 on the collection in `../shared/meshes`, if it is there: a regular torus, a
+/// spinning top with poles of valence 18 and an irregular mesh, in place of the paper's models. That the
+/// depth by Corollary 3 is too small is certified; that it is not, too.
+#[test]
+fn the_method_of_the_tables_on_other_meshes() {
+    use subcert::paper::lanquetin_neveu_2004::needed;
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes");
+    if !folder.is_dir() {
+        eprintln!("skipped: {} is not there", folder.display());
+        return;
+    }
+    for (name, deepest) in [("spinning_top_v18", 4), ("torus_tri", 3), ("spot_tri", 3)] {
+        let path = folder.join(format!("{name}.obj"));
+        let loaded = subcert::mesh::io::read(&path).expect("a mesh");
+        let entries = needed::of_mesh(name, &loaded.mesh, deepest).expect("a closed mesh");
+        for entry in &entries {
+            println!(
+                "{name}: n = {}, M_0/eps = {}, Corollary 3 {:?}, needed {:?}, then distance/eps {}",
+                entry.n,
+                entry.ratio,
+                entry.paper,
+                entry.needed,
+                entry.distance.as_ref().map_or("-".into(), |d| d.decimal(6)),
+            );
+            // Where the distance at the paper's depth is above eps, more steps are needed.
+            let (Some(paper), Some(enough)) = (entry.paper, entry.is_enough()) else {
+                continue;
+            };
+            assert_eq!(
+                enough,
+                entry.needed.is_some_and(|needed| needed <= paper),
+                "{name}"
+            );
+        }
+        assert!(entries.len() >= 4);
+    }
+}

@@ -397,3 +397,31 @@ fn triangle_quarter<S: Field, V: Module<S>>(c: &[V], letter: usize) -> Vec<V> {
     };
     (0..15).map(blossom).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Rational;
+
+    /// u^d v^d, whose only coefficient is the last: its second derivatives, raised to the degree (d, d), at
+    /// (1/2, 1/3), by hand.
+    #[test]
+    fn raised_derivatives_are_the_derivatives() {
+        let r = |p: i64, q: i64| <Rational as Field>::ratio(p, q);
+        for (shape, expected) in [
+            // 6 u v^3, 9 u^2 v^2, 6 u^3 v
+            (Shape::Bicubic, [r(1, 9), r(1, 4), r(1, 4)]),
+            // 2 v^2, 4 u v, 2 u^2
+            (Shape::Biquadratic, [r(2, 9), r(2, 3), r(1, 2)]),
+        ] {
+            let mut c = vec![r(0, 1); shape.count()];
+            c[shape.count() - 1] = r(1, 1);
+            let raised = shape.second_derivatives::<Rational, Rational>(&c);
+            for (form, value) in raised.iter().zip(expected) {
+                assert_eq!(form.len(), shape.count());
+                let (found, _) = shape.evaluate(form, [&r(1, 2), &r(1, 3)]);
+                assert_eq!(found, value, "{shape:?}");
+            }
+        }
+    }
+}

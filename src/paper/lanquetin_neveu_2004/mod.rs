@@ -27,7 +27,7 @@ mod heuristics;
 pub mod lengths;
 mod loop_masks;
 pub mod meshes;
-mod needed;
+pub mod needed;
 mod nets;
 mod plots;
 pub mod printed;

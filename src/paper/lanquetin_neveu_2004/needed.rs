@@ -56,26 +56,37 @@ impl Entry {
     }
 }
 
-/// Entries of one mesh: each level is measured once.
+/// Entries of an authored mesh.
 fn entries(authored: &Authored) -> Option<Vec<Entry>> {
-    let exact = authored.mesh();
     let floats = Mesh {
-        topology: exact.topology.clone(),
+        topology: authored.mesh().topology,
         positions: authored
             .points
             .iter()
             .map(|p| Point(p.map(|x| x as f64)))
             .collect(),
     };
+    of_mesh(authored.name, &floats, DEEPEST)
+}
+
+/// The method on a closed mesh of triangles, with levels measured up to a deepest one, each once; `None` if
+/// M_0 can't be enclosed (a boundary, a valence whose rate is not known).
+pub fn of_mesh(name: &'static str, floats: &Mesh, deepest: u32) -> Option<Vec<Entry>> {
+    let exact = Mesh {
+        topology: floats.topology.clone(),
+        positions: (floats.positions.iter())
+            .map(|p| Some(Point(exactly(&p.0)?)))
+            .collect::<Option<Vec<_>>>()?,
+    };
     let [valences, _] = exact.topology.valence_histograms();
     let n = valences.keys().copied().chain([6]).max()?;
     let regular = valences.keys().all(|&n| n == 6);
-    let m_0 = m_0(&exact, &floats)?;
+    let m_0 = m_0(&exact, floats)?;
     let rate = rate_enclosure(n)?;
     let mut levels: Vec<Enclosure> = Vec::new();
     let mut distance = |k: u32| -> Option<Enclosure> {
         while levels.len() <= k as usize {
-            let found = measure(&floats, &request(levels.len() as u32, GAP), &|_, _| ()).ok()?;
+            let found = measure(floats, &request(levels.len() as u32, GAP), &|_, _| ()).ok()?;
             levels.push(Enclosure::floats(found.lo, found.hi)?);
         }
         Some(levels[k as usize].clone())
@@ -87,15 +98,17 @@ fn entries(authored: &Authored) -> Option<Vec<Entry>> {
         let at = Enclosure::exactly(epsilon.clone());
         let paper = depth::corollary_3(&m_0, &at, &rate);
         let needed =
-            (0..=DEEPEST).find(|&k| distance(k).is_some_and(|d| d.at_most(&at) == Some(true)));
+            (0..=deepest).find(|&k| distance(k).is_some_and(|d| d.at_most(&at) == Some(true)));
         let over = |d: Enclosure| Enclosure::new(&d.lo / &epsilon, &d.hi / &epsilon);
         found.push(Entry {
-            mesh: authored.name,
+            mesh: name,
             n,
             ratio: ratio(p, q),
             paper,
             needed,
-            distance: paper.and_then(&mut distance).map(over),
+            distance: (paper.filter(|&k| k <= deepest))
+                .and_then(&mut distance)
+                .map(over),
             safe: regular
                 .then(|| remedy::regular_depth(&remedy::second_order_square(&exact), &epsilon))
                 .flatten(),
@@ -103,6 +116,12 @@ fn entries(authored: &Authored) -> Option<Vec<Entry>> {
         });
     }
     Some(found)
+}
+
+/// The coordinates of a float point; `None` unless finite.
+fn exactly(point: &[f64; 3]) -> Option<[Rational; 3]> {
+    let [x, y, z] = point.map(Rational::from_float);
+    Some([x?, y?, z?])
 }
 
 /// M_0: exact squares where the weights are rational, certified enclosures else.
