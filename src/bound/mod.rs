@@ -20,15 +20,16 @@
 //! | | the same over the nets of all 4^k parts of level k | `MeshRate(k)` |
 //! | `δ_i` | sup `|b_i - b̄_i| / M`, one Bernstein coefficient (Loop) | `Coefficient` |
 //!
-//! What is known in closed form (each proved for every n of the range by exact programs; see the tests):
+//! What is known in closed form, proved for each n of the range by exact programs (see the tests; "~": a
+//! two-sided enclosure within 1e-6 that holds the form):
 //!
 //! | | constant | n |
 //! |---|---|---|
 //! | Loop | C_0 = max(1/2, 8β/(3 + 8β)) | 3..50 |
 //! | Catmull-Clark, second | C_0 = 1/3, but 3/8 at 3 | 3..50 |
 //! | | r_1 = 3/4 + 2/n - 23/(2n^2) (odd), - 12/n^2 (2 mod 4), - 16/n^2 (0 mod 4); 2/3 at 3, 18/25 at 5, 1/4 at 4 | 3..50 |
-//! | Catmull-Clark, first | C_0 = 5/9, but 5/8 at 3; r_1 = 3/4 + 7/(4n) - 13/(2n^2) from 6 on | 3..50 |
-//! | Doo-Sabin | C_0 = 27/64 - (11 + 4 cos 2π/n)/(16 n) | 5..19 |
+//! | Catmull-Clark, first | C_0 = 5/9, but 5/8 at 3 (~ at 4); r_1 = 3/4 + 7/(4n) - 13/(2n^2) from 6 on | 3..50 |
+//! | Doo-Sabin | C_0 = 27/64 - (11 + 4 cos 2π/n)/(16 n) (~ at 5 and 12) | 5..19 |
 //!
 //! **Why the diameter.** S - F is not 0 on the affine image of a regular n-gon, n not 4, so a norm that
 //! bounds it must not vanish there; and no rational combination of points vanishes on these nets alone.

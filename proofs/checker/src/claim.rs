@@ -268,10 +268,6 @@ impl Setting {
 }
 
 impl Constant {
-    pub fn setting(&self) -> Setting {
-        Setting { scheme: self.scheme, weights: self.weights, valence: self.valence }
-    }
-
     /// Checks the form of a value.
     ///
     /// # Errors
@@ -302,14 +298,14 @@ impl Constant {
     }
 }
 
-impl Inequality {
-    pub fn setting(&self) -> Setting {
-        Setting { scheme: self.scheme, weights: self.weights, valence: self.valence }
-    }
+/// The claims about one scheme and valence.
+macro_rules! about_a_scheme {
+    ($($claim:ty),+) => {
+        $(impl $claim {
+            pub fn setting(&self) -> Setting {
+                Setting { scheme: self.scheme, weights: self.weights, valence: self.valence }
+            }
+        })+
+    };
 }
-
-impl Violation {
-    pub fn setting(&self) -> Setting {
-        Setting { scheme: self.scheme, weights: self.weights, valence: self.valence }
-    }
-}
+about_a_scheme!(Constant, Inequality, Violation);

@@ -2,24 +2,14 @@
 
 use num_traits::{Signed, Zero};
 
-use super::nets::{at, norm, ratio, second_differences};
+use super::nets::{at, ratio};
 use super::printed::{self, Fraction};
-use crate::lp::Rows;
+use crate::bound::Against;
+use crate::bound::curve::{CurveConstant, curve_constant};
 use crate::paper::words::claim;
 use crate::paper::{Claim, Verdict};
 use crate::scalar::{Rational, Ring};
-use crate::scheme::curve::{Degree, Ends, bezier_segment, limit_point, refine};
-
-/// What the exact programs say of the segments of one degree.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Segment {
-    /// sup |L - C| / M over control polygons and the segment.
-    pub distance: Rational,
-    /// The same at a control vertex.
-    pub at_vertex: Rational,
-    /// sup M_1 / M_0.
-    pub rate: Rational,
-}
+use crate::scheme::curve::{Degree, Ends, bezier_segment, refine};
 
 /// The values at the unit polygons of a map of polygons to numbers.
 fn functional(points: usize, of: impl Fn(&[Rational]) -> Rational) -> Vec<Rational> {
@@ -61,38 +51,14 @@ fn pieces(degree: Degree, polygon: &[Rational]) -> Vec<Rational> {
     }
 }
 
-impl Segment {
-    /// By linear programs: the hull of the coefficients bounds the distance from above, a control vertex
-    /// from below; `None` unless they meet.
-    pub fn of(degree: Degree) -> Option<Self> {
-        let points = degree.get() + 1;
-        let rows = Rows::new(second_differences(points), points);
-        let count = pieces(degree, &vec![Rational::zero(); points]).len();
-        let mut distance = Rational::zero();
-        for i in 0..count {
-            let t = functional(points, |p| pieces(degree, p)[i].clone());
-            distance = distance.max(norm(&rows, &t)?.0);
-        }
-        let vertex = functional(points, |p| {
-            p[1].clone() - limit_point::<Rational, _>(degree, &p[1], &p[0], &p[2])
-        });
-        let at_vertex = norm(&rows, &vertex)?.0;
-        // All second differences of the refined polygon of points + 1, so that they are of all kinds.
-        let more = points + 1;
-        let rows = Rows::new(second_differences(more), more);
-        let refined = |p: &[Rational]| refine::<Rational, _>(degree, Ends::Open, p);
-        let fine = second_differences(refined(&vec![Rational::zero(); more]).len());
-        let mut rate = Rational::zero();
-        for row in &fine {
-            let t = functional(more, |p| row.apply::<Rational, _>(&refined(p)));
-            rate = rate.max(norm(&rows, &t)?.0);
-        }
-        Some(Segment {
-            distance,
-            at_vertex,
-            rate,
-        })
-    }
+/// The constant of a curve against its polygon; a control vertex is at an end of an edge.
+fn control(degree: Degree) -> Option<CurveConstant> {
+    curve_constant(degree, Against::Control)
+}
+
+/// Whether a constant is attained at a control vertex.
+fn is_at_a_vertex(constant: &CurveConstant) -> bool {
+    [0, 1].map(|end| ratio(end, 1)).contains(&constant.at)
 }
 
 /// A theorem `distance <= c M_i <= c 4^-i M_0`, and the depth that follows from it.
@@ -104,13 +70,13 @@ fn theorem(
 ) -> [Claim; 2] {
     let printed = ratio(constant.0, constant.1);
     let quarter = ratio(printed::QUARTER.0, printed::QUARTER.1);
-    let found = Segment::of(degree);
+    let found = control(degree);
     let sharp = found
         .as_ref()
-        .map(|s| s.distance == printed && s.at_vertex == printed && s.rate == quarter);
+        .map(|s| s.value == printed && s.rate == quarter);
     let holds = found
         .as_ref()
-        .map(|s| s.distance <= printed && s.rate <= quarter);
+        .map(|s| s.value <= printed && s.rate <= quarter);
     let verdict = match (sharp, holds) {
         (Some(true), _) => Verdict::Sharp,
         (_, Some(true)) => Verdict::Loose,
@@ -122,9 +88,14 @@ fn theorem(
     };
     let text = match &found {
         Some(s) => format!(
-            "sup |L - C| / M = {}, taken at a control vertex ({}); sup M_1 / M_0 = {}: exact linear \
-             programs. Polygons with constant second differences attain all three at every level",
-            s.distance, s.at_vertex, s.rate
+            "sup |L - C| / M = {}, taken {}; sup M_1 / M_0 = {}: exact linear programs. Polygons with \
+             constant second differences attain both at every level",
+            s.value,
+            match is_at_a_vertex(s) {
+                true => "at a control vertex",
+                false => "between control vertices",
+            },
+            s.rate
         ),
         None => "a program has no solution".into(),
     };
@@ -188,7 +159,7 @@ fn masks() -> Claim {
 /// Control vertices are farthest: of curves.
 fn farthest() -> Claim {
     let truth = [Degree::Quadratic, Degree::Cubic].map(|degree| {
-        let s = Segment::of(degree)?;
+        let constant = control(degree)?;
         let points = degree.get() + 1;
         // |L - C| on a piece is at most the larger distance at its two ends: every Bernstein
         // coefficient is a combination of those of the ends with weights of sum at most 1.
@@ -207,7 +178,7 @@ fn farthest() -> Claim {
             let of = |e: usize| functional(points, move |p| ends(p)[2 * piece + e].clone());
             proportional_sum(&t, &of(0), &of(1))
         });
-        Some(inside && s.distance == s.at_vertex)
+        Some(inside && is_at_a_vertex(&constant))
     });
     let both = match truth {
         [Some(a), Some(b)] => Some(a && b),
@@ -235,7 +206,7 @@ fn proportional_sum(t: &[Rational], a: &[Rational], b: &[Rational]) -> bool {
 
 /// D at a level against d at the next: curves.
 fn monotone() -> Claim {
-    let rates = [Degree::Quadratic, Degree::Cubic].map(|d| Segment::of(d).map(|s| s.rate));
+    let rates = [Degree::Quadratic, Degree::Cubic].map(|d| control(d).map(|s| s.rate));
     let less = rates
         .iter()
         .map(|r| r.as_ref().map(|r| *r < ratio(1, 1)))
@@ -247,7 +218,7 @@ fn monotone() -> Claim {
         Verdict::of(less),
         "D is 1/6 or 1/8 of the largest second difference, which falls by 4 at least: d <= D / 4, unless \
          both are 0 (straight polygons)",
-        "uniform quadratic and cubic B-spline curves",
+        "uniform quadratic and cubic B-spline curves that are not straight",
     )
 }
 

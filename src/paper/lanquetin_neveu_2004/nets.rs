@@ -59,12 +59,6 @@ pub fn combine(
     sum
 }
 
-/// Second differences along a polygon of `points` points.
-pub fn second_differences(points: usize) -> Vec<IntegerRow> {
-    let row = |i| IntegerRow::new([(i, -1), (i + 1, 2), (i + 2, -1)]);
-    (0..points.saturating_sub(2)).map(row).collect()
-}
-
 /// The form of an integer row of the net of a word.
 pub fn row_form(word: &str, row: &IntegerRow) -> Form {
     let terms = row.terms().iter();
