@@ -26,6 +26,7 @@ mod cosine;
 mod covering;
 mod doo_sabin;
 mod file;
+mod fixed;
 mod form;
 mod inequality;
 mod lattice;

@@ -1,0 +1,257 @@
+//! Intervals with ends that are multiples of 2^-64, rounded outward: section 9 of FORMAT.md.
+//!
+//! An end that would be beyond ±2^62 makes the interval unbounded, which proves nothing.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+/// The number of binary places.
+const PLACES: u32 = 64;
+/// The largest end, in units.
+const LIMIT: i128 = 1 << 126;
+const LOW: i128 = (1 << PLACES) - 1;
+
+/// A closed interval, `lo <= hi`, in units of 2^-64.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fixed {
+    lo: i128,
+    hi: i128,
+}
+
+/// `floor(a b / 2^64)`, and whether anything was cut off; `None` beyond the limit.
+fn product(a: i128, b: i128) -> Option<(i128, bool)> {
+    // a = 2^64 a1 + a0, b = 2^64 b1 + b0, so a b / 2^64 = a1 b + a0 b1 + a0 b0 / 2^64; |a1|, |b1| <= 2^62.
+    let (a1, a0, b1, b0) = (a >> PLACES, a & LOW, b >> PLACES, b & LOW);
+    let least = (a0 as u128) * (b0 as u128);
+    let whole = a1.checked_mul(b)?.checked_add(a0 * b1)?.checked_add((least >> PLACES) as i128)?;
+    Some((whole, least & LOW as u128 != 0))
+}
+
+impl Fixed {
+    /// All numbers.
+    const WHOLE: Self = Self { lo: i128::MIN, hi: i128::MAX };
+    pub const ZERO: Self = Self { lo: 0, hi: 0 };
+    pub const ONE: Self = Self { lo: 1 << PLACES, hi: 1 << PLACES };
+
+    fn new(lo: Option<i128>, hi: Option<i128>) -> Self {
+        match (lo, hi) {
+            (Some(lo), Some(hi)) if lo >= -LIMIT && hi <= LIMIT => Self { lo, hi },
+            _ => Self::WHOLE,
+        }
+    }
+
+    /// False if nothing is known.
+    fn is_bounded(self) -> bool {
+        self != Self::WHOLE
+    }
+
+    /// The numbers from the first to the second.
+    pub fn between(lo: &BigRational, hi: &BigRational) -> Self {
+        let (lo, hi) = (Self::of(lo), Self::of(hi));
+        if lo.is_bounded() && hi.is_bounded() { Self { lo: lo.lo, hi: hi.hi } } else { Self::WHOLE }
+    }
+
+    /// The enclosure of a rational.
+    pub fn of(x: &BigRational) -> Self {
+        let (floor, rest) = (x.numer() << PLACES).div_mod_floor(x.denom());
+        let floor = floor.to_i128();
+        let cut = i128::from(rest != BigInt::ZERO);
+        Self::new(floor, floor.and_then(|floor| floor.checked_add(cut)))
+    }
+
+    /// The enclosure of `p / q`, `q > 0`.
+    pub fn ratio(p: i64, q: i64) -> Self {
+        Self::of(&crate::rational::ratio(p, q))
+    }
+
+    /// The middle, as a number by itself: for choices that need no proof.
+    pub fn middle(self) -> Self {
+        let middle = self.lo / 2 + self.hi / 2;
+        Self { lo: middle, hi: middle }
+    }
+
+    /// The square.
+    pub fn square(self) -> Self {
+        let [small, large] = self.magnitude();
+        match (product(small, small), product(large, large)) {
+            (Some((lo, _)), Some((hi, cut))) => Self::new(Some(lo), Some(hi + i128::from(cut))),
+            _ => Self::WHOLE,
+        }
+    }
+
+    /// The least and the largest magnitude.
+    fn magnitude(self) -> [i128; 2] {
+        if !self.is_bounded() {
+            return [0, i128::MAX];
+        }
+        let large = self.lo.abs().max(self.hi.abs());
+        if self.lo <= 0 && self.hi >= 0 {
+            [0, large]
+        } else {
+            [self.lo.abs().min(self.hi.abs()), large]
+        }
+    }
+
+    /// The quotient; nothing is known if the divisor may be 0.
+    pub fn over(self, divisor: Self) -> Self {
+        if !self.is_bounded() || !divisor.is_bounded() || (divisor.lo <= 0 && divisor.hi >= 0) {
+            return Self::WHOLE;
+        }
+        let all = [self.lo, self.hi].map(|a| {
+            [divisor.lo, divisor.hi].map(|b| {
+                let (floor, rest) = (BigInt::from(a) << PLACES).div_mod_floor(&BigInt::from(b));
+                (floor.to_i128(), i128::from(rest != BigInt::ZERO))
+            })
+        });
+        let all = all.as_flattened();
+        let lo = all.iter().map(|(floor, _)| *floor).min().flatten();
+        let up =
+            |(floor, cut): &(Option<i128>, i128)| floor.and_then(|floor| floor.checked_add(*cut));
+        if all.iter().any(|(floor, _)| floor.is_none()) {
+            return Self::WHOLE;
+        }
+        Self::new(lo, all.iter().filter_map(up).max())
+    }
+
+    /// The enclosure of the root of a number that is not negative; nothing is known if it may be.
+    pub fn root(self) -> Self {
+        if !self.is_bounded() || self.lo < 0 {
+            return Self::WHOLE;
+        }
+        let floor = |x: i128| (BigInt::from(x) << PLACES).sqrt().to_i128();
+        Self::new(floor(self.lo), floor(self.hi).map(|x| x + 1))
+    }
+
+    /// Certainly below, or equal.
+    pub fn at_most(self, other: Self) -> bool {
+        self.is_bounded() && other.is_bounded() && self.hi <= other.lo
+    }
+
+    /// Certainly below.
+    pub fn below(self, other: Self) -> bool {
+        self.is_bounded() && other.is_bounded() && self.hi < other.lo
+    }
+
+    /// Certainly above 0.
+    pub fn is_positive(self) -> bool {
+        Self::ZERO.below(self)
+    }
+
+    /// Certainly not above 0.
+    pub fn is_at_most_zero(self) -> bool {
+        self.at_most(Self::ZERO)
+    }
+
+    /// A number in it, for reading only.
+    pub fn near(self) -> BigRational {
+        BigRational::new(self.middle().lo.into(), BigInt::from(1) << PLACES)
+    }
+}
+
+impl std::ops::Add for Fixed {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        if self.is_bounded() && other.is_bounded() {
+            Self::new(self.lo.checked_add(other.lo), self.hi.checked_add(other.hi))
+        } else {
+            Self::WHOLE
+        }
+    }
+}
+
+impl std::ops::Neg for Fixed {
+    type Output = Self;
+    fn neg(self) -> Self {
+        if self.is_bounded() { Self { lo: -self.hi, hi: -self.lo } } else { Self::WHOLE }
+    }
+}
+
+impl std::ops::Sub for Fixed {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl std::ops::Mul for Fixed {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        if !self.is_bounded() || !other.is_bounded() {
+            return Self::WHOLE;
+        }
+        let (mut lo, mut hi) = (i128::MAX, i128::MIN);
+        for a in [self.lo, self.hi] {
+            for b in [other.lo, other.hi] {
+                let Some((floor, cut)) = product(a, b) else { return Self::WHOLE };
+                lo = lo.min(floor);
+                hi = hi.max(floor + i128::from(cut));
+            }
+        }
+        Self::new(Some(lo), Some(hi))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rational::ratio;
+
+    fn contains(x: Fixed, y: &BigRational) -> bool {
+        let end = |e: i128| BigRational::new(e.into(), BigInt::from(1) << PLACES);
+        x.is_bounded() && &end(x.lo) <= y && y <= &end(x.hi)
+    }
+
+    #[test]
+    fn operations_contain_the_exact_results() {
+        let numbers: Vec<_> = [
+            (1, 3),
+            (-1, 3),
+            (7, 5),
+            (-22, 7),
+            (0, 1),
+            (1_000_003, 17),
+            (-1, 1_000_000_007),
+            (-123_456_789, 2),
+        ]
+        .map(|(p, q)| ratio(p, q))
+        .to_vec();
+        for a in &numbers {
+            for b in &numbers {
+                let (x, y) = (Fixed::of(a), Fixed::of(b));
+                assert!(contains(x + y, &(a + b)) && contains(x - y, &(a - b)));
+                assert!(contains(x * y, &(a * b)) && contains(x.square(), &(a * a)));
+                let hull = Fixed::between(a.min(b), a.max(b));
+                assert!(contains(hull * hull, &(a * b)) && contains(hull.square(), &(a * a)));
+                if b != &ratio(0, 1) {
+                    assert!(contains(x.over(y), &(a / b)));
+                    if b.denom().bits() < 20 {
+                        assert!(!contains(x.over(y), &(a / b + ratio(1, 1 << 30))));
+                    }
+                }
+                if a < b {
+                    assert!(x.below(y) && x.at_most(y) && !y.at_most(x));
+                }
+            }
+            let root = Fixed::of(&(a * a)).root();
+            assert!(contains(root, &if a < &ratio(0, 1) { -a } else { a.clone() }));
+        }
+    }
+
+    #[test]
+    fn what_is_too_large_proves_nothing() {
+        let large = Fixed::of(&ratio(1 << 61, 1));
+        assert!(large.is_bounded() && !(large * large).is_bounded());
+        assert!(
+            !(large + large + large).is_bounded()
+                && !Fixed::of(&(ratio(i64::MAX, 1) * ratio(3, 1))).is_bounded()
+        );
+        let whole = large * large;
+        assert!(
+            !whole.below(Fixed::ONE) && !Fixed::ONE.at_most(whole) && !(whole - whole).is_bounded()
+        );
+        assert!(!Fixed::ONE.over(Fixed::ZERO).is_bounded() && !(-Fixed::ONE).root().is_bounded());
+        assert!(!whole.square().is_bounded());
+    }
+}
