@@ -169,7 +169,7 @@ impl Prover {
             format: "subcert".into(),
             version: 1,
             claim: Claim::Constant(self.claim(proof)),
-            cosine: self.cosine(),
+            cosine: self.cosine().map(certificate::Cosines::One),
             bases: bases.list,
             steps,
         }

@@ -7,8 +7,10 @@ use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
 
+mod hausdorff;
 mod violation;
 
+pub use hausdorff::{EigenLink, FarAt, HausdorffClaim, MeshData, NearBy, NearCell};
 pub use violation::{Form, MeshViolation, NetInequality, NetViolation};
 
 /// A certificate file.
@@ -22,11 +24,21 @@ pub struct Certificate {
     /// What is proved.
     pub claim: Claim,
     /// An enclosure of cos(π/n), where the ring weight is irrational.
-    pub cosine: Option<[String; 2]>,
+    pub cosine: Option<Cosines>,
     /// Sets of second differences, numbered from 1.
     pub bases: Vec<Vec<usize>>,
     /// The steps.
     pub steps: Vec<Step>,
+}
+
+/// Enclosures of cosines.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Cosines {
+    /// Of the one that the claim needs.
+    One([String; 2]),
+    /// Of cos(π/N), for each N.
+    Each(Vec<(u32, String, String)>),
 }
 
 /// What is proved.
@@ -41,6 +53,8 @@ pub enum Claim {
     Net(NetViolation),
     /// A closed mesh that violates one.
     Mesh(MeshViolation),
+    /// A Hausdorff distance.
+    Hausdorff(HausdorffClaim),
 }
 
 /// A constant lies between lo and hi.
@@ -224,6 +238,27 @@ pub enum Step {
         /// The edge's vertices, from 1.
         edge: [usize; 2],
     },
+    /// A point of one side that is far from the other.
+    Far {
+        /// "surface-to-mesh" or "mesh-to-surface".
+        side: String,
+        /// The point.
+        at: FarAt,
+    },
+    /// Parts of the surface that are near to the mesh.
+    #[serde(rename = "near-mesh")]
+    NearMesh {
+        /// They cover the surface.
+        cells: Vec<NearCell>,
+    },
+    /// Parts of the mesh that are near to the surface.
+    #[serde(rename = "near-surface")]
+    NearSurface {
+        /// They cover the mesh.
+        cells: Vec<NearCell>,
+    },
+    /// Vertices are near to their limits: nothing to add.
+    Vertex {},
 }
 
 /// Where a net attains a bound.
@@ -282,7 +317,7 @@ impl Certificate {
             format: "subcert".into(),
             version: 1,
             claim,
-            cosine,
+            cosine: cosine.map(Cosines::One),
             bases: Vec::new(),
             steps,
         }
@@ -297,7 +332,7 @@ impl Certificate {
     pub fn file_name(&self) -> Option<String> {
         match &self.claim {
             Claim::Constant(claim) => Some(claim.file_name()),
-            Claim::Inequality(_) | Claim::Net(_) | Claim::Mesh(_) => None,
+            Claim::Inequality(_) | Claim::Net(_) | Claim::Mesh(_) | Claim::Hausdorff(_) => None,
         }
     }
 

@@ -10,6 +10,7 @@
 //! | `frame` | a unit and an origin in which `f64` does its best |
 //! | `measure` | from a mesh to an enclosure in its own unit |
 
+pub mod certify;
 pub mod close;
 pub mod face;
 mod frame;

@@ -1,0 +1,220 @@
+//! Distances of points to facets, in intervals: upper bounds by a foot point, lower bounds by a
+//! separating plane.
+//!
+//! Both take a choice from `f64` that need not be good to be safe: any convex combination of the
+//! corners is a point of a triangle, and for any direction D, `min D·(P - x) / |D|` over the corners x
+//! of a convex hull is at most its distance from P.
+
+use super::part::quarters;
+use crate::mesh::Point;
+use crate::scalar::Interval;
+
+type P = Point<Interval>;
+
+/// How often a facet is quartered for a lower bound.
+const FACET_SPLITS: u32 = 9;
+
+/// The middles of the coordinates.
+pub(super) fn middles(p: &P) -> [f64; 3] {
+    p.0.map(Interval::mid)
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// Weights `(s, t)` of corners 1 and 2 in the point of a triangle nearest to p, nearly.
+///
+/// The nearest point of each edge, and the foot on the plane if it is inside; the nearest of these.
+fn foot(p: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> [f64; 2] {
+    let (e, f, d) = (minus(b, a), minus(c, a), minus(p, a));
+    let along = |o: [f64; 3], e: [f64; 3]| {
+        let length = dot(e, e);
+        let t = dot(minus(p, o), e) / length;
+        if t > 0.0 { t.min(1.0) } else { 0.0 }
+    };
+    let (r, s, t) = (along(a, e), along(a, f), along(b, minus(c, b)));
+    let mut all = vec![[r, 0.0], [0.0, s], [1.0 - t, t]];
+    let (ee, ef, ff) = (dot(e, e), dot(e, f), dot(f, f));
+    let (de, df) = (dot(d, e), dot(d, f));
+    let det = ee * ff - ef * ef;
+    let inner = [(de * ff - df * ef) / det, (df * ee - de * ef) / det];
+    if inner[0] >= 0.0 && inner[1] >= 0.0 && inner[0] + inner[1] <= 1.0 {
+        all.push(inner);
+    }
+    let distance = |[s, t]: &[f64; 2]| {
+        let q = [0, 1, 2].map(|i| d[i] - s * e[i] - t * f[i]);
+        dot(q, q)
+    };
+    let nearest = all
+        .into_iter()
+        .min_by(|x, y| distance(x).total_cmp(&distance(y)));
+    nearest.unwrap_or([0.0; 2])
+}
+
+/// A point of the triangle, nearly the nearest to p.
+pub(super) fn foot_point(p: &P, [a, b, c]: &[P; 3]) -> P {
+    let [s, t] = foot(middles(p), [a, b, c].map(middles));
+    // In the triangle: s, t >= 0, s + t <= 1, whatever rounding did.
+    let sum = Interval::point(s) + Interval::point(t);
+    let (s, t) = if sum.sup() <= 1.0 {
+        (s, t)
+    } else {
+        (s * (1.0 - 1e-15), t * (1.0 - 1e-15))
+    };
+    let [s, t] = [s, t].map(Interval::point);
+    *a + &((*b - a) * &s) + &((*c - a) * &t)
+}
+
+/// The squared distance; its upper end bounds the squared distance of P to anything that contains Q.
+pub(super) fn square(p: &P, q: &P) -> Interval {
+    let [x, y, z] = (*p - q).0;
+    x.sqr() + y.sqr() + z.sqr()
+}
+
+/// Not below the largest distance of the points to the triangle.
+pub(super) fn to_triangle(points: &[P], triangle: &[P; 3]) -> f64 {
+    let upper = |p: &P| square(p, &foot_point(p, triangle)).sup();
+    root_above(points.iter().map(upper).fold(0.0, f64::max))
+}
+
+/// Not below the largest distance of the points to one point.
+pub(super) fn to_point(points: &[P], q: &P) -> f64 {
+    root_above(
+        points
+            .iter()
+            .map(|p| square(p, q).sup())
+            .fold(0.0, f64::max),
+    )
+}
+
+/// Not below the root.
+pub(super) fn root_above(square: f64) -> f64 {
+    crate::scalar::float::upper_sqrt(square)
+}
+
+/// Not above the distance of P to the convex hull of the points, for the direction from Q to P.
+pub(super) fn hull_below(p: &P, q: [f64; 3], hull: &[P]) -> f64 {
+    let d = minus(middles(p), q);
+    let size = d.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    if size == 0.0 || !size.is_finite() {
+        return 0.0;
+    }
+    let d = Point(d.map(|x| Interval::point(x / size)));
+    let least = hull
+        .iter()
+        .map(|x| d.dot(&(*p - x)).inf())
+        .fold(f64::INFINITY, f64::min);
+    let length = d.0[0].sqr() + d.0[1].sqr() + d.0[2].sqr();
+    match length.sqrt() {
+        Some(length) if least > 0.0 => (Interval::point(least) / length).inf().max(0.0),
+        _ => 0.0,
+    }
+}
+
+/// Not above the distance of P to the facet with these corners, a triangle or a bilinear quad, and, as
+/// long as that is cheap, at least `wanted` if it is as far as that.
+pub(super) fn facet_below(p: &P, corners: &[P], wanted: f64) -> f64 {
+    below(p, corners, wanted, FACET_SPLITS)
+}
+
+fn below(p: &P, corners: &[P], wanted: f64, splits: u32) -> f64 {
+    let triangles = (2..corners.len()).map(|i| [corners[0], corners[i - 1], corners[i]]);
+    let nearest = triangles
+        .map(|t| foot_point(p, &t))
+        .min_by(|x, y| square(p, x).mid().total_cmp(&square(p, y).mid()));
+    let found = nearest.map_or(0.0, |q| hull_below(p, middles(&q), corners));
+    if found >= wanted || splits == 0 || corners.len() == 3 {
+        return found;
+    }
+    let parts = quarters(corners);
+    let parts = parts.iter().map(|part| below(p, part, wanted, splits - 1));
+    found.max(parts.fold(f64::INFINITY, f64::min))
+}
+
+/// The point of a bilinear facet.
+pub(super) fn bilinear(corners: &[P], [v, w]: [f64; 2]) -> P {
+    let [v, w] = [v, w].map(Interval::point);
+    let mix = |a: &P, b: &P, t: &Interval| *a * &(Interval::point(1.0) - t) + &(*b * t);
+    mix(
+        &mix(&corners[0], &corners[1], &v),
+        &mix(&corners[3], &corners[2], &v),
+        &w,
+    )
+}
+
+/// Parameters of the point of a bilinear facet nearest to p, nearly: Newton's method on the grid's best.
+pub(super) fn bilinear_foot(p: &P, corners: &[P]) -> [f64; 2] {
+    let p = middles(p);
+    let c: Vec<[f64; 3]> = corners.iter().map(middles).collect();
+    let at = |[v, w]: [f64; 2]| {
+        [0, 1, 2].map(|i| {
+            (1.0 - w) * ((1.0 - v) * c[0][i] + v * c[1][i])
+                + w * ((1.0 - v) * c[3][i] + v * c[2][i])
+        })
+    };
+    let far = |x: [f64; 2]| {
+        let d = minus(at(x), p);
+        dot(d, d)
+    };
+    let grid = (0..=4).flat_map(|i| (0..=4).map(move |j| [f64::from(i) / 4.0, f64::from(j) / 4.0]));
+    let mut best = grid
+        .min_by(|x, y| far(*x).total_cmp(&far(*y)))
+        .unwrap_or([0.5; 2]);
+    let mut step = 0.125;
+    // A compass search: the function is smooth and the dimension two.
+    for _ in 0..60 {
+        let moves = [[step, 0.0], [-step, 0.0], [0.0, step], [0.0, -step]];
+        let tried = moves.map(|m| [0, 1].map(|i| (best[i] + m[i]).clamp(0.0, 1.0)));
+        let better = tried.into_iter().min_by(|x, y| far(*x).total_cmp(&far(*y)));
+        match better {
+            Some(x) if far(x) < far(best) => best = x,
+            _ => step /= 2.0,
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Field;
+
+    fn point(p: [i64; 3]) -> P {
+        Point(p.map(|x| Interval::ratio(x, 1)))
+    }
+
+    #[test]
+    fn distances_to_a_triangle() {
+        // In the plane z = 0: above the inside, beyond an edge, beyond a corner.
+        let t = [[0, 0, 0], [4, 0, 0], [0, 4, 0]].map(point);
+        for (p, square) in [
+            ([1, 1, 3], 9),
+            ([2, -3, 4], 25),
+            ([-3, 0, 4], 25),
+            ([4, 4, 0], 8),
+            ([5, 0, 0], 1),
+        ] {
+            let p = point(p);
+            let exact = f64::from(square).sqrt();
+            let (above, below) = (to_triangle(&[p], &t), facet_below(&p, &t, 1e9));
+            assert!(above >= exact && above < exact + 1e-12, "{p:?} {above}");
+            assert!(below <= exact && below > exact - 1e-12, "{p:?} {below}");
+        }
+    }
+
+    #[test]
+    fn distance_to_a_saddle() {
+        // z = x y over the unit square; from (0, 0, -1) the corner at the origin is nearest.
+        let c = [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]].map(point);
+        let p = point([0, 0, -1]);
+        let foot = bilinear_foot(&p, &c);
+        assert!(foot[0] < 1e-9 && foot[1] < 1e-9);
+        assert!(facet_below(&p, &c, 0.999) >= 0.999);
+        assert!(to_point(&[p], &bilinear(&c, foot)) >= 1.0);
+    }
+}
