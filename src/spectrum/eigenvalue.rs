@@ -186,10 +186,10 @@ impl fmt::Display for Eigenvalue {
             Eigenvalue::Exact(x) => write!(f, "{x}"),
             Eigenvalue::Root(root) => write!(
                 f,
-                "{} root of x^2 - t x + d, t = {}, d = {}",
+                "{} root of x^2 - t x + d, d = {}, t = {}",
                 if root.larger { "larger" } else { "smaller" },
-                root.trace,
-                root.determinant
+                root.determinant,
+                root.trace
             ),
         }
     }

@@ -59,7 +59,7 @@ impl Rules {
     }
 
     /// Which point of the two-ring each label of Stam's local net of sector 0 is.
-    fn local_points(self, n: u32) -> Vec<Point> {
+    pub(super) fn local_points(self, n: u32) -> Vec<Point> {
         let at = |kind: usize, sector: i64| Point::of(n, kind, sector);
         let turn = i64::from(n);
         match self {
