@@ -15,6 +15,7 @@
 //! | [`characteristic`], [`jacobian`] | the characteristic map: regular and injective |
 //! | [`table`] | what is claimed of a valence |
 //! | [`loop_modes`] | Loop's modes in the normal form of papers |
+//! | [`eigen_mesh`] | an eigenspline as a mesh |
 //!
 //! [`Spectrum`] is a basis of nets and its dual. For a member v of the basis, `A v = λ v`, unless its
 //! mode is generalised: then `A v = λ v +` [`Spectrum::chain`].
@@ -31,6 +32,7 @@
 //! ```
 
 pub mod characteristic;
+pub mod eigen_mesh;
 pub mod eigenvalue;
 pub mod inner;
 pub mod jacobian;

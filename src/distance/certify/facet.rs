@@ -116,24 +116,38 @@ pub(super) fn hull_below(p: &P, q: [f64; 3], hull: &[P]) -> f64 {
     }
 }
 
-/// Not above the distance of P to the facet with these corners, a triangle or a bilinear quad, and, as
-/// long as that is cheap, at least `wanted` if it is as far as that.
-pub(super) fn facet_below(p: &P, corners: &[P], wanted: f64) -> f64 {
-    below(p, corners, wanted, FACET_SPLITS)
+/// Whether the facet with these corners, a triangle or a bilinear quad, is shown to be at least as far
+/// from P.
+pub(super) fn is_far(p: &P, corners: &[P], length: f64) -> bool {
+    parts_are_far(p, corners, length, FACET_SPLITS)
 }
 
-fn below(p: &P, corners: &[P], wanted: f64, splits: u32) -> f64 {
-    let triangles = (2..corners.len()).map(|i| [corners[0], corners[i - 1], corners[i]]);
-    let nearest = triangles
+fn parts_are_far(p: &P, corners: &[P], length: f64, splits: u32) -> bool {
+    let nearest = triangles(corners)
         .map(|t| foot_point(p, &t))
         .min_by(|x, y| square(p, x).mid().total_cmp(&square(p, y).mid()));
-    let found = nearest.map_or(0.0, |q| hull_below(p, middles(&q), corners));
-    if found >= wanted || splits == 0 || corners.len() == 3 {
-        return found;
+    if nearest.is_some_and(|q| hull_below(p, middles(&q), corners) >= length) {
+        return true;
     }
-    let parts = quarters(corners);
-    let parts = parts.iter().map(|part| below(p, part, wanted, splits - 1));
-    found.max(parts.fold(f64::INFINITY, f64::min))
+    splits > 0
+        && corners.len() > 3
+        && quarters(corners)
+            .iter()
+            .all(|part| parts_are_far(p, part, length, splits - 1))
+}
+
+/// The triangles from the first corner.
+pub(super) fn triangles(corners: &[P]) -> impl Iterator<Item = [P; 3]> + '_ {
+    (2..corners.len()).map(|i| [corners[0], corners[i - 1], corners[i]])
+}
+
+/// Nearly the distance of P to a facet.
+pub(super) fn estimate(p: &P, corners: &[P]) -> f64 {
+    let nearest = match corners {
+        [a, b, c] => foot_point(p, &[*a, *b, *c]),
+        _ => bilinear(corners, bilinear_foot(p, corners)),
+    };
+    square(p, &nearest).mid().sqrt()
 }
 
 /// The point of a bilinear facet.
@@ -201,9 +215,12 @@ mod tests {
         ] {
             let p = point(p);
             let exact = f64::from(square).sqrt();
-            let (above, below) = (to_triangle(&[p], &t), facet_below(&p, &t, 1e9));
+            let above = to_triangle(&[p], &t);
             assert!(above >= exact && above < exact + 1e-12, "{p:?} {above}");
-            assert!(below <= exact && below > exact - 1e-12, "{p:?} {below}");
+            assert!(
+                is_far(&p, &t, exact - 1e-12) && !is_far(&p, &t, exact + 1e-12),
+                "{p:?}"
+            );
         }
     }
 
@@ -214,7 +231,7 @@ mod tests {
         let p = point([0, 0, -1]);
         let foot = bilinear_foot(&p, &c);
         assert!(foot[0] < 1e-9 && foot[1] < 1e-9);
-        assert!(facet_below(&p, &c, 0.999) >= 0.999);
+        assert!(is_far(&p, &c, 0.999) && !is_far(&p, &c, 1.001));
         assert!(to_point(&[p], &bilinear(&c, foot)) >= 1.0);
     }
 }

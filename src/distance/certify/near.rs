@@ -3,7 +3,8 @@
 use std::collections::BinaryHeap;
 
 use super::facet::{
-    bilinear, bilinear_foot, facet_below, foot_point, middles, square, to_point, to_triangle,
+    bilinear, bilinear_foot, estimate, foot_point, is_far, middles, square, to_point, to_triangle,
+    triangles,
 };
 use super::part::{Net, quarters};
 use super::setting::{P, Setting, coarse, flat_parts, matched};
@@ -120,21 +121,22 @@ pub(super) fn surface_to_mesh(setting: &Setting, gap: f64) -> Result<Cover, Cert
         let net = cell.net.as_ref()?;
         let at = |corner: usize| {
             let point = net.limit(&setting.rules, corner);
-            let wanted = lo;
-            let mut least = f64::INFINITY;
-            for facet in &setting.facets {
-                // A facet that is far by any measure needs no plane of its own quality.
-                least = least.min(facet_below(&point, &facet.corners, least.min(1e300)));
-                if least <= wanted {
-                    return None;
-                }
+            let distances = setting.facets.iter().map(|f| estimate(&point, &f.corners));
+            let wanted = distances.fold(f64::INFINITY, f64::min) * (1.0 - 0.2 * gap);
+            if wanted <= lo
+                || !setting
+                    .facets
+                    .iter()
+                    .all(|f| is_far(&point, &f.corners, wanted))
+            {
+                return None;
             }
             let place = Far::Surface {
                 face: cell.face,
                 word: cell.word.clone(),
                 corner,
             };
-            Some((least, place))
+            Some((wanted, place))
         };
         (0..net.size())
             .filter_map(at)
@@ -160,9 +162,8 @@ fn nearest_facet(setting: &Setting, net: &Net, flat: Option<&[P]>) -> (f64, With
     // The facets nearest to the centre, by their triangles.
     let mut nearest: Vec<(f64, usize)> = Vec::with_capacity(TRIED + 1);
     for (i, facet) in setting.facets.iter().enumerate() {
-        let corners = &facet.corners;
-        let triangles = (2..corners.len()).map(|i| [corners[0], corners[i - 1], corners[i]]);
-        let distances = triangles.map(|t| square(&center, &foot_point(&center, &t)).mid());
+        let distances =
+            triangles(&facet.corners).map(|t| square(&center, &foot_point(&center, &t)).mid());
         let distance = distances.fold(f64::INFINITY, f64::min);
         nearest.push((distance, i));
         nearest.sort_by(|x, y| x.0.total_cmp(&y.0));

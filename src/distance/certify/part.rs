@@ -391,13 +391,6 @@ impl Net {
     pub(super) fn hull(&self, rules: &Rules) -> Vec<P> {
         self.patch(rules).unwrap_or_else(|| self.points.clone())
     }
-
-    /// Whether all corners are interior.
-    pub(super) fn is_inner(&self) -> bool {
-        self.faces[0]
-            .iter()
-            .all(|v| self.star(*v).boundary.is_empty())
-    }
 }
 
 fn place(face: &[u32], vertex: u32) -> usize {
