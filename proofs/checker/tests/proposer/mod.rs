@@ -186,7 +186,8 @@ impl Example {
                 let w = 1.0 / (1.0 + 3.0 / (8.0 * self.beta(at.near[a].len())));
                 return add(mul(p[a], 1.0 - w), mul(mean(at.near[a].iter().map(|&b| p[b])), w));
             }
-            let faces = mean(at.faces[a].iter().map(|&f| mean(mesh.faces[f].iter().map(|&i| p[i]))));
+            let faces =
+                mean(at.faces[a].iter().map(|&f| mean(mesh.faces[f].iter().map(|&i| p[i]))));
             let ring = mean(at.near[a].iter().map(|&b| p[b]));
             mul(add(add(mul(p[a], n - 1.0), mul(ring, 2.0)), mul(faces, 4.0)), 1.0 / (n + 5.0))
         };
@@ -257,19 +258,39 @@ impl Facet {
         add(low, mul(sub(high, low), w))
     }
 
+    /// A lower bound of the distance of a point.
+    fn at_least(&self, p: V) -> f64 {
+        let centre = mean(self.corners.iter().copied());
+        let radius = self.corners.iter().map(|c| len(sub(*c, centre))).fold(0.0, f64::max);
+        len(sub(p, centre)) - radius
+    }
+
     /// The distance of a point; of a bilinear patch that of a net of triangles in it.
     fn distance(&self, p: V) -> f64 {
         if let [a, b, c] = self.corners[..] {
             return to_triangle(p, [a, b, c]);
         }
-        let n = 8;
+        let n = 5;
         let grid = |i: usize, j: usize| self.at(i as f64 / n as f64, j as f64 / n as f64);
         let cells = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
         cells.fold(f64::INFINITY, |least, (i, j)| {
-            let (a, b, c, d) =
-                (grid(i, j), grid(i + 1, j), grid(i + 1, j + 1), grid(i, j + 1));
+            let (a, b, c, d) = (grid(i, j), grid(i + 1, j), grid(i + 1, j + 1), grid(i, j + 1));
             least.min(to_triangle(p, [a, b, c])).min(to_triangle(p, [a, c, d]))
         })
+    }
+
+    /// The parameters of a point near to the nearest, on finer and finer grids.
+    fn nearest(&self, p: V) -> [f64; 2] {
+        let mut best = [0.5; 2];
+        for step in (1..=10).map(|i| 0.5_f64.powi(i)) {
+            let around = (-2..=2).flat_map(|i| (-2..=2).map(move |j| [i, j]));
+            let candidates = around.map(|d: [i32; 2]| {
+                [0, 1].map(|k| (best[k] + f64::from(d[k]) * step).clamp(0.0, 1.0))
+            });
+            let far = |x: &[f64; 2]| len(sub(p, self.at(x[0], x[1])));
+            best = candidates.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap();
+        }
+        best
     }
 
     fn child(&self, letter: usize) -> Self {
@@ -359,13 +380,15 @@ impl Example {
         let far: Vec<(f64, Value, &str)> = sides
             .iter()
             .map(|side| {
-                let (d, at) =
-                    if *side == "surface-to-mesh" { seen.farthest() } else { seen.farthest_of_mesh() };
+                let (d, at) = if *side == "surface-to-mesh" {
+                    seen.farthest()
+                } else {
+                    seen.farthest_of_mesh()
+                };
                 (d, at, *side)
             })
             .collect();
-        let (distance, at, side) =
-            far.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+        let (distance, at, side) = far.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
         let lo = distance * (1.0 - self.slack);
         let hi = distance * (1.0 + self.slack);
         let mut steps = vec![json!({"rule": "far", "side": side, "at": at})];
@@ -420,8 +443,7 @@ impl Example {
 impl Seen<'_> {
     fn children(&self, level: usize, face: usize) -> std::ops::Range<usize> {
         let faces = &self.levels[level].faces;
-        let count =
-            |face: &Vec<usize>| if self.example.is_loop() { 4 } else { face.len() };
+        let count = |face: &Vec<usize>| if self.example.is_loop() { 4 } else { face.len() };
         // Only the first level has faces of different sizes.
         let first: usize = if faces.iter().all(|f| count(f) == 4) {
             4 * face
@@ -432,7 +454,8 @@ impl Seen<'_> {
     }
 
     fn sample(&mut self) {
-        let last = self.levels.len() - 1;
+        // Coarser than the parts: a grid of samples need not be fine to meet the largest distance.
+        let last = (self.levels.len() - 1).min(4);
         let limits = self.example.limits(&self.levels[last]);
         let mut taken = vec![false; limits.len()];
         let mut open: Vec<(usize, usize, usize, String)> = (0..self.levels[0].faces.len())
@@ -455,7 +478,9 @@ impl Seen<'_> {
     }
 
     fn to_mesh(&self, p: V) -> f64 {
-        self.facets.iter().map(|f| f.distance(p)).fold(f64::INFINITY, f64::min)
+        self.facets.iter().fold(f64::INFINITY, |least, f| {
+            if f.at_least(p) > least { least } else { least.min(f.distance(p)) }
+        })
     }
 
     fn farthest(&self) -> (f64, Value) {
@@ -513,7 +538,10 @@ impl Seen<'_> {
                 cells.push(json!([root, word, with]));
                 continue;
             }
-            assert!(level + 1 < self.levels.len(), "part {word} of face {root}: too coarse");
+            let least = |f: &Facet| net.iter().map(|p| f.distance(*p)).fold(0.0, f64::max);
+            let least = || self.facets.iter().map(least).fold(f64::INFINITY, f64::min);
+            let deepest = level + 1 == self.levels.len();
+            assert!(!deepest, "part {word} of face {root}: {} is above {hi}", least());
             for (letter, child) in self.children(level, face).enumerate() {
                 let own = own.as_ref().map(|own| {
                     if own.corners.len() == 3 && !self.example.is_loop() {
@@ -547,7 +575,12 @@ impl Seen<'_> {
         }
         let centre = mean(net.iter().copied());
         let mut order: Vec<(f64, usize)> =
-            self.facets.iter().enumerate().map(|(i, f)| (f.distance(centre), i)).collect();
+            self.facets.iter().enumerate().map(|(i, f)| (f.at_least(centre), i)).collect();
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        order.truncate(12);
+        for (d, i) in &mut order {
+            *d = self.facets[*i].distance(centre);
+        }
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         for &(_, i) in order.iter().take(4) {
             let facet = &self.facets[i];
@@ -557,12 +590,11 @@ impl Seen<'_> {
                 }
                 continue;
             }
-            for n in (0..=8).map(|n| n as f64 / 8.0) {
-                for (from, to) in [([n, 0.0], [n, 1.0]), ([0.0, n], [1.0, n])] {
-                    let (a, b) = (facet.at(from[0], from[1]), facet.at(to[0], to[1]));
-                    if net.iter().all(|p| to_segment(*p, a, b) <= hi) {
-                        return Some(json!([i, from.map(rational), to.map(rational)]));
-                    }
+            let [v, w] = facet.nearest(centre);
+            for (from, to) in [([v, 0.0], [v, 1.0]), ([0.0, w], [1.0, w])] {
+                let (a, b) = (facet.at(from[0], from[1]), facet.at(to[0], to[1]));
+                if net.iter().all(|p| to_segment(*p, a, b) <= hi) {
+                    return Some(json!([i, from.map(rational), to.map(rational)]));
                 }
             }
         }
