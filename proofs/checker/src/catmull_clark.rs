@@ -8,6 +8,9 @@ use crate::patch::Patch;
 use crate::rational::ratio;
 use crate::scheme::{Mask, Mesh, Row, Scheme, mask, row};
 
+/// 6 times the matrix from four points to the Bernstein coefficients of a cubic B-spline.
+pub const LINE: [[i64; 4]; 4] = [[1, 4, 1, 0], [0, 4, 2, 0], [0, 2, 4, 0], [0, 1, 4, 1]];
+
 /// The Catmull-Clark scheme with a norm, `second` or `first`.
 pub struct CatmullClark(pub Norm);
 
@@ -81,8 +84,7 @@ impl Scheme for CatmullClark {
 
     fn surface(&self) -> Vec<Mask> {
         let line = |i: usize| -> Line {
-            let weights = [[1, 4, 1, 0], [0, 4, 2, 0], [0, 2, 4, 0], [0, 1, 4, 1]][i];
-            (-1..).zip(weights.map(|c| ratio(c, 6))).filter(|(_, c)| *c != ratio(0, 1)).collect()
+            (-1..).zip(LINE[i].map(|c| ratio(c, 6))).filter(|(_, c)| *c != ratio(0, 1)).collect()
         };
         let coefficient = |(i, j)| self.tensor(4, &line(i), &line(j));
         (0..4).flat_map(|j| (0..4).map(move |i| (i, j))).map(coefficient).collect()

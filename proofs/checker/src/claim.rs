@@ -7,6 +7,7 @@ use serde::de::{Deserialize, Deserializer, Error, IgnoredAny};
 use serde_json::value::RawValue;
 
 use crate::file::{Number, Value, Word, nullable, present};
+use crate::hausdorff::claim::Hausdorff;
 use crate::reject::{Outcome, Rule, ensure};
 use crate::scheme::Mesh;
 
@@ -63,6 +64,7 @@ pub enum Claim {
     Inequality(Inequality),
     Violation(Violation),
     MeshViolation(MeshViolation),
+    Hausdorff(Hausdorff),
 }
 
 /// The scheme that a claim is about.
@@ -207,6 +209,7 @@ pub fn by_kind<'de, D: Deserializer<'de>>(source: D) -> Result<Claim, D::Error> 
         "inequality" => read(text).map(Claim::Inequality),
         "violation" => read(text).map(Claim::Violation),
         "mesh-violation" => read(text).map(Claim::MeshViolation),
+        "hausdorff" => read(text).map(Claim::Hausdorff),
         _ => read(text).map(Claim::Constant),
     });
     claim.map_err(|error| D::Error::custom(format!("in the claim: {error}")))
@@ -234,6 +237,7 @@ impl Claim {
                 forms(claim.scheme, claim.right.iter().chain([&claim.left]))
             }
             Self::MeshViolation(claim) => level(claim.level),
+            Self::Hausdorff(claim) => claim.check(),
         }
     }
 }

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use serde::de::{Deserialize, Deserializer, Error};
 
 use crate::claim::{Claim, by_kind};
+use crate::hausdorff::claim::{Far, NearMesh, NearSurface};
 use crate::rational;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 
@@ -58,10 +59,35 @@ pub struct File {
     #[serde(deserialize_with = "by_kind")]
     pub claim: Claim,
     #[serde(deserialize_with = "nullable")]
-    pub cosine: Option<(Number, Number)>,
+    pub cosine: Option<Cosine>,
     /// Increasing lists of indices from 1.
     pub bases: Vec<Vec<usize>>,
     pub steps: Vec<Step>,
+}
+
+/// Enclosures of cos(π/n): for the one n of the claim, or a list of n, lo, hi.
+#[derive(Debug, serde::Deserialize)]
+#[serde(untagged)]
+pub enum Cosine {
+    One((Number, Number)),
+    List(Vec<(usize, Number, Number)>),
+}
+
+impl File {
+    /// The enclosure for the one n of the claim.
+    ///
+    /// # Errors
+    ///
+    /// If and only if there is a list: rule `cosine`.
+    pub fn one_cosine(&self) -> Outcome<Option<&(Number, Number)>> {
+        match &self.cosine {
+            None => Ok(None),
+            Some(Cosine::One(ends)) => Ok(Some(ends)),
+            Some(Cosine::List(_)) => {
+                Err(Rejection::new(Rule::Cosine, "\"cosine\" is a pair for this claim, or null"))
+            }
+        }
+    }
 }
 
 #[derive(Debug, serde::Deserialize)]
@@ -81,6 +107,10 @@ pub enum Step {
     Recurrence(Nothing),
     Rate(Nothing),
     Distance(Distance),
+    Far(Far),
+    NearMesh(NearMesh),
+    NearSurface(NearSurface),
+    Vertex(Nothing),
 }
 
 #[derive(Debug, serde::Deserialize)]

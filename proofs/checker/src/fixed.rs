@@ -66,6 +66,29 @@ impl Fixed {
         Self::of(&crate::rational::ratio(p, q))
     }
 
+    /// `p / q` times the number, `q > 0`.
+    pub fn times(self, p: i64, q: i64) -> Self {
+        let ends = [self.lo, self.hi].map(|end| end.checked_mul(p.into()));
+        let (true, [Some(a), Some(b)]) = (self.is_bounded(), ends) else { return Self::WHOLE };
+        let (lo, hi) = (a.min(b), a.max(b));
+        if q == 1 {
+            return Self::new(Some(lo), Some(hi));
+        }
+        Self::new(Some(lo.div_euclid(q.into())), Some(-(-hi).div_euclid(q.into())))
+    }
+
+    /// The largest s, 62 at most, such that `2^s` times the number is at most 1 in magnitude.
+    pub fn room(self) -> u32 {
+        let [_, large] = self.magnitude();
+        (large.max(1).leading_zeros() - 1).saturating_sub(127 - PLACES - 1).min(62)
+    }
+
+    /// The middle, or the nearer of 0 and 1 if it is beyond: for choices that need no proof.
+    pub fn fraction(self) -> Self {
+        let middle = self.middle().lo.clamp(0, Self::ONE.lo);
+        Self { lo: middle, hi: middle }
+    }
+
     /// The middle, as a number by itself: for choices that need no proof.
     pub fn middle(self) -> Self {
         let middle = self.lo / 2 + self.hi / 2;
@@ -237,6 +260,31 @@ mod tests {
             let root = Fixed::of(&(a * a)).root();
             assert!(contains(root, &if a < &ratio(0, 1) { -a } else { a.clone() }));
         }
+    }
+
+    #[test]
+    fn multiples_by_small_ratios() {
+        for x in [ratio(1, 3), ratio(-7, 5), ratio(0, 1), ratio(-1, 1_000_000_007)] {
+            for (p, q) in [(1, 3), (-5, 24), (1 << 30, 1), (0, 7), (3, 8)] {
+                let exact = &x * ratio(p, q);
+                let found = Fixed::of(&x).times(p, q);
+                assert!(contains(found, &exact), "{x} {p} {q}");
+                assert!(!contains(found, &(exact + ratio(1, 1 << 30))) && found.is_bounded());
+            }
+        }
+        let huge = Fixed::of(&ratio(1 << 61, 1));
+        assert!(!huge.times(3, 1).is_bounded() && !(huge * huge).times(0, 1).is_bounded());
+    }
+
+    #[test]
+    fn room_and_fractions() {
+        for (x, room) in [((1, 1), 0), ((-3, 4), 0), ((1, 2), 1), ((-1, 8), 3), ((5, 1), 0)] {
+            assert_eq!(Fixed::ratio(x.0, x.1).room(), room, "{x:?}");
+        }
+        assert_eq!(Fixed::ZERO.room(), 62);
+        assert_eq!(Fixed::ratio(-5, 1).fraction(), Fixed::ZERO);
+        assert_eq!(Fixed::ratio(9, 8).fraction(), Fixed::ONE);
+        assert_eq!(Fixed::ratio(1, 4).fraction(), Fixed::ratio(1, 4));
     }
 
     #[test]

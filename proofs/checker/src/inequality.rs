@@ -21,7 +21,7 @@ use crate::violation::functional;
 /// If and only if this fails, or the claim is none: rules `combined` and `reached`; `claim` for steps of other names;
 /// `bases`, `cosine`, `format` as for other claims.
 pub fn check(file: &File, claim: &Inequality) -> Outcome<()> {
-    let space = Space::new(&claim.setting(), Norm::Second, file.cosine.as_ref())?;
+    let space = Space::new(&claim.setting(), Norm::Second, file.one_cosine()?)?;
     ensure!(file.bases.is_empty(), Rule::Bases, "an inequality has no bases");
     let (combined, reached) = match &file.steps[..] {
         [Step::Combined(combined)] => (combined, None),

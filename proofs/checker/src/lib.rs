@@ -12,6 +12,7 @@
 //! | `space`, `patch`, `word`, `form`, `net`, `target` | 1, 8: the claim's setting, Bernstein forms, words, nets, targets |
 //! | `basis` | 3: bases, multipliers, weights |
 //! | `proof`, `region`, `cells`, `covering` | 4: the rules |
+//! | `hausdorff`, `fixed` | 10: Hausdorff distances; intervals on a grid |
 //! | `inequality`, `violation`, `mesh` | 7: inequalities that hold, and violated ones |
 
 #![forbid(unsafe_code)]
@@ -28,6 +29,7 @@ mod doo_sabin;
 mod file;
 mod fixed;
 mod form;
+mod hausdorff;
 mod inequality;
 mod lattice;
 mod loop_scheme;
@@ -83,11 +85,12 @@ fn examine(bytes: &[u8]) -> Verdict {
 fn prove(file: &file::File) -> Outcome<()> {
     match &file.claim {
         Claim::Constant(claim) => {
-            let space = space::Space::new(&claim.setting(), claim.norm, file.cosine.as_ref())?;
+            let space = space::Space::new(&claim.setting(), claim.norm, file.one_cosine()?)?;
             proof::Proof::new(file, claim, &space)?.check()
         }
         Claim::Inequality(claim) => inequality::check(file, claim),
         Claim::Violation(claim) => violation::check(file, claim),
         Claim::MeshViolation(claim) => mesh::check(file, claim),
+        Claim::Hausdorff(claim) => hausdorff::check(file, claim),
     }
 }

@@ -71,6 +71,14 @@ rules! {
     Rate = "rate",
     /// The inequality of that name about meshes holds.
     Distance = "distance",
+    /// A point of one side is not shown to be far from the other.
+    Far = "far",
+    /// The surface is not shown to be near to the mesh.
+    NearMesh = "near-mesh",
+    /// The mesh is not shown to be near to the surface.
+    NearSurface = "near-surface",
+    /// A vertex is not shown to be near to its limit.
+    Vertex = "vertex",
 }
 
 /// Why a certificate is rejected.

@@ -27,6 +27,11 @@ impl Interval {
         let (low, high) = (low * unit(), high * unit());
         Self { low: low.floor().to_integer(), high: high.ceil().to_integer() }
     }
+
+    /// Both ends.
+    pub fn ends(&self) -> [BigRational; 2] {
+        [&self.low, &self.high].map(|end| BigRational::new(end.clone(), unit()))
+    }
 }
 
 fn unit() -> BigInt {

@@ -34,7 +34,7 @@ pub fn only_step(file: &File) -> Outcome<&Step> {
 /// If and only if it is not certain, or the claim is not one: rule `violated`; rule `claim` for a step of another name;
 /// `bases`, `cosine`, `format` as for other claims.
 pub fn check(file: &File, claim: &Violation) -> Outcome<()> {
-    let space = Space::new(&claim.setting(), Norm::Second, file.cosine.as_ref())?;
+    let space = Space::new(&claim.setting(), Norm::Second, file.one_cosine()?)?;
     let Step::Violated(step) = only_step(file)? else {
         return Err(Rejection::new(Rule::Claim, "the step is not one for the claim's kind"));
     };

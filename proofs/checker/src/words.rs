@@ -24,6 +24,7 @@ pub fn in_words(claim: &Claim) -> String {
             let scheme = setting(&claim.setting());
             format!("{scheme}: |left(y)| <= {factor} max |right_i(y)|, i = 1..{right}, is false")
         }
+        Claim::Hausdorff(claim) => claim.in_words(),
         Claim::MeshViolation(claim) => {
             let (k, weights) = (claim.level, weights(claim.weights));
             let inequality = match claim.inequality {
