@@ -25,7 +25,7 @@ use super::outer::OuterMode;
 use super::phase::{Frequency, Phase};
 use super::represent::Represent;
 use super::two_ring::{Point, Stencil, TwoRing};
-use crate::scalar::{Cyclotomic, Field, Interval, Rational, Ring};
+use crate::scalar::{Cyclotomic, Decide, Field, Interval, Rational, Ring};
 
 /// The values of a net of frequency k: those of sector j are `w^j` times those of sector 0.
 #[derive(Clone, Debug)]
@@ -249,7 +249,7 @@ fn enclosed(
 /// The vectors of an eigenvalue of M', extended to the two-ring as the head of this file has it.
 ///
 /// Over intervals λ must be apart from every local eigenvalue.
-fn extend<S: Field>(
+fn extend<S: Decide>(
     ring: &TwoRing<S>,
     outer: &[OuterMode<S>],
     frequency: &Frequency<S>,
@@ -299,14 +299,7 @@ fn extend<S: Field>(
             *z = z.clone() + &right.center;
         }
         left.center = (left.kinds.iter()).fold(Phase::zero(), |sum, b| sum - b);
-        // To the value 1 at the first kind instead of its difference to the centre.
-        let value = right.kinds[0].x.clone();
-        let scaled = |net: &mut FourierNet<S>, factor: &S| {
-            net.center = net.center.clone() * factor;
-            net.kinds.iter_mut().for_each(|z| *z = z.clone() * factor);
-        };
-        scaled(&mut right, &(S::one() / &value));
-        scaled(&mut left, &value);
+        normalise(&mut right, &mut left, inner);
     }
 
     let images: Vec<Phase<S>> = (0..ring.rules().kinds())
@@ -340,4 +333,20 @@ fn extend<S: Field>(
         }
     }
     Vectors { right, left, chain }
+}
+
+/// Scales a real pair so that the right net has the value 1 at the first inner kind where it is
+/// certainly not 0.
+fn normalise<S: Decide>(right: &mut FourierNet<S>, left: &mut FourierNet<S>, inner: usize) {
+    let mut values = right.kinds[..inner].iter().map(|z| z.x.clone());
+    let not_zero = |x: &S| matches!(x.decide(&S::zero()), Some(order) if order.is_ne());
+    let Some(value) = values.find(not_zero) else {
+        return;
+    };
+    let scale = |net: &mut FourierNet<S>, factor: &S| {
+        net.center = net.center.clone() * factor;
+        net.kinds.iter_mut().for_each(|z| *z = z.clone() * factor);
+    };
+    scale(right, &(S::one() / &value));
+    scale(left, &value);
 }
