@@ -4,11 +4,14 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json as object};
 
+use crate::scalar::Interval;
 use crate::scheme::Scheme;
-use crate::spectrum::Rules;
 use crate::spectrum::characteristic::Sign;
 use crate::spectrum::eigenvalue::Eigenvalue;
+use crate::spectrum::inner::FourierNet;
+use crate::spectrum::phase::Phase;
 use crate::spectrum::table::{Entry, Row};
+use crate::spectrum::{InnerMode, Rules};
 
 fn scheme(rules: Rules) -> Scheme {
     match rules {
@@ -76,7 +79,9 @@ fn summary(row: &Row) -> String {
     let jordan = if row.is_defective() {
         let defects = row.entries.iter().filter(|e| e.geometric < e.multiplicity);
         let names: Vec<String> = defects.map(|entry| entry.value.to_string()).collect();
-        format!("DEFECTIVE at {}", names.join(", "))
+        let blocks = row.modes.iter().filter(|mode| !mode.chain.is_empty());
+        let blocks: Vec<String> = blocks.map(chain).collect();
+        format!("DEFECTIVE at {}: {}", names.join(", "), blocks.join(", "))
     } else {
         "diagonalizable".into()
     };
@@ -87,6 +92,18 @@ fn summary(row: &Row) -> String {
         }
     };
     format!("{subdominant}; {jordan}; characteristic map {map}")
+}
+
+/// The Jordan block of a generalised eigenvector v.
+fn chain(mode: &InnerMode<Interval>) -> String {
+    let parts: Vec<String> = (mode.chain.iter())
+        .map(|(_, factor)| format!("{:?}", factor.x.mid()))
+        .collect();
+    format!(
+        "A v = λ v + {} u, v of frequency {}, u a sum of local modes",
+        parts.join(" + "),
+        mode.frequency
+    )
 }
 
 /// `2, 5`, `2, 5 + local`, `local`.
@@ -110,7 +127,8 @@ fn word(sign: Sign) -> &'static str {
     }
 }
 
-/// `{"rows": [{"n", "points", "eigenvalues": [{"lo", "hi", ..}], ..}], ..}`; lo and hi read back exactly.
+/// `{"rows": [{"n", "points", "eigenvalues": [{"lo", "hi", ..}], "modes": [..], ..}], ..}`; lo and hi
+/// read back exactly.
 ///
 /// `subdominant` and `subsubdominant` are indices in `eigenvalues`, or null.
 pub fn json(rules: Rules, rows: &[Row], seconds: f64) -> Value {
@@ -121,6 +139,7 @@ pub fn json(rules: Rules, rows: &[Row], seconds: f64) -> Value {
             "n": row.n,
             "points": 1 + rules.kinds() as u32 * row.n,
             "eigenvalues": eigenvalues.collect::<Vec<_>>(),
+            "modes": row.modes.iter().map(|m| mode(rules, m)).collect::<Vec<_>>(),
             "subdominant": row.subdominant().map(|_| 1),
             "subsubdominant": row.subsubdominant().map(|_| 2),
             "defective": row.is_defective(),
@@ -139,6 +158,32 @@ pub fn json(rules: Rules, rows: &[Row], seconds: f64) -> Value {
     })
 }
 
+/// Values x + y w, w = e^(2πi k/n), at the centre and at the points of sector 0; those of sector j
+/// are `w^j` times these.
+fn mode(rules: Rules, mode: &InnerMode<Interval>) -> Value {
+    let interval = |x: &Interval| object!([x.inf(), x.sup()]);
+    let phase = |z: &Phase<Interval>| object!({"x": interval(&z.x), "y": interval(&z.y)});
+    let net = |net: &FourierNet<Interval>, kinds: usize| {
+        let center = ("center".to_string(), phase(&net.center));
+        let names = rules.kind_names()[..kinds].iter();
+        let values = names
+            .zip(&net.kinds)
+            .map(|(name, z)| ((*name).to_string(), phase(z)));
+        Value::Object([center].into_iter().chain(values).collect())
+    };
+    let value = mode.eigenvalue.enclose();
+    let chain: Vec<Value> = (mode.chain.iter())
+        .map(|(local, z)| object!({"local_mode": local, "factor": phase(z)}))
+        .collect();
+    object!({
+        "frequency": mode.frequency,
+        "eigenvalue": interval(&value),
+        "right": net(&mode.right, rules.kinds()),
+        "left": net(&mode.left, rules.inner_kinds()),
+        "generalised_by": chain,
+    })
+}
+
 fn eigenvalue(entry: &Entry, n: u32) -> Value {
     let (exact, polynomial) = match &entry.value {
         Eigenvalue::Exact(x) => (Some(x.to_string()), None),
@@ -146,6 +191,7 @@ fn eigenvalue(entry: &Entry, n: u32) -> Value {
             let polynomial = object!({
                 "trace": root.trace.to_string(),
                 "determinant": root.determinant.to_string(),
+                "irrational_by_prime": root.irrational_by(n),
                 "root": if root.larger { "larger" } else { "smaller" },
             });
             (None, Some(polynomial))

@@ -12,6 +12,7 @@
 //! | [`outer`] | eigenvectors that vanish on the first ring: local |
 //! | [`inner`] | the others, by frequencies; Jordan blocks are found, not looked up |
 //! | [`eigenvalue`] | elements of Q(2 cos 2π/n), or roots of quadratic polynomials over it |
+//! | [`square`] | proof that a root does not lie in that field |
 //! | [`characteristic`], [`jacobian`] | the characteristic map: regular and injective |
 //! | [`table`] | what is claimed of a valence |
 //! | [`loop_modes`] | Loop's modes in the normal form of papers |
@@ -40,6 +41,7 @@ pub mod loop_modes;
 pub mod outer;
 pub mod phase;
 pub mod represent;
+pub mod square;
 pub mod table;
 pub mod two_ring;
 

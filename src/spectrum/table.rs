@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::characteristic::{Check, check};
 use super::outer::outer_modes;
-use super::{Eigenvalue, Rules, Spectrum, TwoRing};
+use super::{Eigenvalue, InnerMode, Rules, Spectrum, TwoRing};
 use crate::scalar::{Cyclotomic, Decide, Interval};
 
 /// Where an eigenvalue comes from.
@@ -64,6 +64,8 @@ pub struct Row {
     pub n: u32,
     /// All different eigenvalues, the largest first.
     pub entries: Vec<Entry>,
+    /// The modes with values on the first ring, right and left, by frequency; the constant excepted.
+    pub modes: Vec<InnerMode<Interval>>,
     /// The checks of the characteristic map.
     pub map: Check,
 }
@@ -150,6 +152,7 @@ fn row(rules: Rules, n: u32) -> Row {
     Row {
         n,
         entries,
+        modes: spectrum.inner().to_vec(),
         map: check(&spectrum, characteristic),
     }
 }
