@@ -241,7 +241,7 @@ fn enclose<A: Space>(
     let mesh = MeshView::<A> {
         topology,
         positions,
-        against: request.against,
+        compared: request.against.facet(),
     };
     let found = match request.scheme {
         Scheme::Loop(weights) => {
