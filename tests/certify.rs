@@ -1,7 +1,8 @@
 //! Certificates of Hausdorff distances: written by the library, verified by the checker.
 
 use subcert::certificate::Claim;
-use subcert::distance::certify::{Boundary, Eigen, Facets, Flat, Request, Side, certify};
+use subcert::distance::certify::{Boundary, Eigen, Flat, Request, certify};
+use subcert::distance::hausdorff::{Facets, Side};
 use subcert::mesh::{Mesh, Point, Topology};
 use subcert::scalar::{Field, Rational};
 use subcert::scheme::{LoopWeights, Scheme};
@@ -114,6 +115,11 @@ fn saddles() {
         std::fs::write(format!("/tmp/saddle-{}-{n}.json", scheme.name()), &text).unwrap();
         let start = std::time::Instant::now();
         let verdict = subcert_check::check(&text);
-        eprintln!("{:?} {:?} {:?}", start.elapsed(), verdict.claim, verdict.outcome);
+        eprintln!(
+            "{:?} {:?} {:?}",
+            start.elapsed(),
+            verdict.claim,
+            verdict.outcome
+        );
     }
 }

@@ -1,10 +1,11 @@
 //! From covers and far points to a certificate.
 
+use super::super::hausdorff::{Facets, Side};
 use super::facet::{root_above, square};
 use super::near::{Cell, Cover, mesh_to_surface, surface_to_mesh};
 use super::part::Net;
 use super::setting::Setting;
-use super::{Boundary, CertifyError, Facets, Far, Flat, Request, Side, With};
+use super::{Boundary, CertifyError, Far, Flat, Request, With};
 use crate::certificate::{
     Certificate, Claim, Cosines, EigenLink, FarAt, HausdorffClaim, MeshData, NearBy, NearCell, Step,
 };
@@ -90,11 +91,7 @@ pub fn certify(
             Flat::Other(_) => "other",
         }
         .into(),
-        facets: match request.facets {
-            Facets::Triangles => "triangles",
-            Facets::Bilinear => "bilinear",
-        }
-        .into(),
+        facets: request.facets.name().into(),
         other: match request.flat {
             Flat::Other(other) => {
                 let (vertices, faces) = written(other);

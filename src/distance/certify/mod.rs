@@ -20,6 +20,7 @@ mod part;
 mod setting;
 mod surface;
 
+use super::hausdorff::{Facets, Side};
 use crate::mesh::Mesh;
 use crate::refine::RefineError;
 use crate::scalar::Rational;
@@ -38,15 +39,6 @@ pub enum Boundary {
     None,
 }
 
-/// What a polygon that is no triangle is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Facets {
-    /// Triangles from its first corner.
-    Triangles,
-    /// Bilinear: itself if it has four corners, else a quarter for each corner.
-    Bilinear,
-}
-
 /// The mesh that the surface is compared with.
 #[derive(Clone, Copy, Debug)]
 pub enum Flat<'a> {
@@ -56,17 +48,6 @@ pub enum Flat<'a> {
     Limit,
     /// Another mesh.
     Other(&'a Mesh<Rational>),
-}
-
-/// Which distance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// The largest distance of a point of the surface to the mesh.
-    SurfaceToMesh,
-    /// The largest distance of a point of the mesh to the surface.
-    MeshToSurface,
-    /// The larger of both: the Hausdorff distance.
-    Both,
 }
 
 /// What is to be proved.
@@ -117,12 +98,23 @@ pub enum CertifyError {
         /// Upper bound.
         hi: f64,
     },
+    /// Not a small mesh.
+    #[error(
+        "certificates are for meshes of up to {LARGEST} faces, and this one has {faces} at the level compared: leave out --certificate, or take a part of the mesh"
+    )]
+    TooManyFaces {
+        /// Faces of the level-K mesh, or of the other mesh.
+        faces: u64,
+    },
     /// Nothing to show.
     #[error(
         "the distance is 0 or at the level of rounding errors: there is no relative enclosure to prove"
     )]
     NoDistance,
 }
+
+/// The most faces of a mesh in a certificate.
+const LARGEST: u64 = 2000;
 
 /// Why a part is near.
 #[derive(Clone, Debug, PartialEq)]

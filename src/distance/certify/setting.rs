@@ -1,7 +1,8 @@
 //! What a proof is about: the surface of a mesh, and the facets that it is compared with.
 
+use super::super::hausdorff::Facets;
 use super::part::{Net, Rules, middle, quarters};
-use super::{Boundary, CertifyError, Facets, Flat, Request};
+use super::{Boundary, CertifyError, Flat, LARGEST, Request};
 use crate::bernstein::tensor::Bicubic;
 use crate::bernstein::triangle::QuarticTriangle;
 use crate::mesh::{Mesh, Point, Topology};
@@ -61,6 +62,14 @@ impl Setting {
         if request.scheme == Scheme::DooSabin {
             return Err(CertifyError::DooSabin);
         }
+        let grown = u64::from(mesh.topology.halfedge_count()) * 4u64.pow(request.level.min(16)) / 3;
+        let faces = match request.flat {
+            Flat::Other(other) => grown.max(u64::from(other.topology.face_count())),
+            _ => grown,
+        };
+        if faces > LARGEST {
+            return Err(CertifyError::TooManyFaces { faces });
+        }
         let first = enclosed(mesh);
         let rules = Rules::new(request.scheme, corner, &first).ok_or(CertifyError::DooSabin)?;
         let mesh = refine::<Interval>(request.scheme, corner, &first, request.level)?;
@@ -89,7 +98,7 @@ impl Setting {
         };
         let counts = |face: u32| whole || inner(&face);
         let facets = match (&flat, request.flat) {
-            (Some(flat), _) => facets_of(topology, flat, request.facets, true, &counts),
+            (Some(flat), _) => facets_of(topology, flat, request, true, &counts),
             (None, Flat::Other(other)) => {
                 let other = enclosed(other);
                 facets_of(
@@ -156,10 +165,11 @@ fn polygon_quarters(corners: &[P]) -> Vec<Vec<P>> {
 fn facets_of(
     topology: &Topology,
     points: &[P],
-    facets: Facets,
+    request: &Request<'_>,
     own: bool,
     counts: &dyn Fn(u32) -> bool,
 ) -> Vec<Facet> {
+    let (facets, is_loop) = (request.facets, matches!(request.scheme, Scheme::Loop(_)));
     let mut all = Vec::new();
     for face in 0..topology.face_count() {
         let corners: Vec<P> = topology
@@ -169,7 +179,12 @@ fn facets_of(
             .collect();
         let m = corners.len();
         let mut add = |corners: Vec<P>, letter: Option<u8>| {
-            let own = (own && (m == 3 || facets == Facets::Bilinear)).then_some((face, letter));
+            let matches = if m == 3 {
+                is_loop
+            } else {
+                facets == Facets::Bilinear
+            };
+            let own = (own && matches).then_some((face, letter));
             all.push(Facet {
                 corners,
                 own,
@@ -177,7 +192,7 @@ fn facets_of(
             });
         };
         match (m, facets) {
-            (3, Facets::Triangles) | (4, Facets::Bilinear) => add(corners, None),
+            (3, _) | (4, Facets::Bilinear) => add(corners, None),
             (_, Facets::Triangles) => {
                 for i in 2..m {
                     add(vec![corners[0], corners[i - 1], corners[i]], None);
