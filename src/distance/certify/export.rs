@@ -1,6 +1,6 @@
 //! From covers and far points to a certificate.
 
-use super::super::hausdorff::{Facets, Side};
+use super::super::hausdorff::Side;
 use super::facet::{root_above, square};
 use super::near::{Cell, Cover, mesh_to_surface, surface_to_mesh};
 use super::part::Net;

@@ -101,13 +101,7 @@ impl Setting {
             (Some(flat), _) => facets_of(topology, flat, request, true, &counts),
             (None, Flat::Other(other)) => {
                 let other = enclosed(other);
-                facets_of(
-                    &other.topology,
-                    &other.positions,
-                    request.facets,
-                    false,
-                    &|_| true,
-                )
+                facets_of(&other.topology, &other.positions, request, false, &|_| true)
             }
             (None, _) => Vec::new(),
         };
