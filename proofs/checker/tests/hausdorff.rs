@@ -256,15 +256,11 @@ fn closed_triangle_meshes() {
         ("octahedron, limit", Example { against: "limit", depth: 6, slack: 0.08, ..octahedron() }),
         ("octahedron, level 1", Example { level: 1, depth: 5, slack: 0.08, ..octahedron() }),
         (
-            "tetrahedron, level 2, limit",
-            Example { level: 2, against: "limit", depth: 4, slack: 0.2, ..tetrahedron() },
+            "tetrahedron, level 1, limit",
+            Example { level: 1, against: "limit", depth: 4, slack: 0.1, ..tetrahedron() },
         ),
     ] {
-        let start = std::time::Instant::now();
-        let proposal = example.propose();
-        let proposed = start.elapsed();
-        tampered(name, &proposal);
-        println!("{name}: {} {proposed:?} {:?}", proposal.distance, start.elapsed());
+        tampered(name, &example.propose());
     }
 }
 
@@ -288,11 +284,7 @@ fn polygon_meshes() {
             Example { level: 1, slack: 0.08, ..triangles(prism(9)) },
         ),
     ] {
-        let start = std::time::Instant::now();
-        let proposal = example.propose();
-        let proposed = start.elapsed();
-        tampered(name, &proposal);
-        println!("{name}: {} {proposed:?} {:?}", proposal.distance, start.elapsed());
+        tampered(name, &example.propose());
     }
 }
 
@@ -313,11 +305,7 @@ fn open_meshes() {
         ),
         ("one triangle", grid(2, true, |i, _| i)),
     ] {
-        let start = std::time::Instant::now();
-        let proposal = example.propose();
-        let proposed = start.elapsed();
-        tampered(name, &proposal);
-        println!("{name}: {} {proposed:?} {:?}", proposal.distance, start.elapsed());
+        tampered(name, &example.propose());
     }
 }
 
@@ -327,20 +315,22 @@ fn shifted(boundary: &'static str, facets: &'static str) -> Example {
     let (x, y, z) = (3.0, 3.0, 0.375);
     let other = vec![[0.0, 0.0, z], [x, 0.0, z], [x, y, z], [0.0, y, z]];
     let faces = vec![vec![0, 1, 2, 3]];
-    Example { boundary, facets, against: "other", other: Some((other, faces)), depth: 3, ..base }
+    Example { boundary, facets, against: "other", other: Some((other, faces)), depth: 4, ..base }
+}
+
+fn over_a_triangle(boundary: &'static str) -> Example {
+    let corners = vec![[-10.0, -10.0, 0.375], [20.0, -10.0, 0.375], [-10.0, 20.0, 0.375]];
+    Example { other: Some((corners, vec![vec![0, 1, 2]])), ..shifted(boundary, "triangles") }
 }
 
 #[test]
 fn another_mesh_at_a_known_distance() {
-    for facets in ["triangles", "bilinear"] {
-        let example = shifted("sharp", facets);
-        // The surface is the square itself: both ends can be near to 3/8.
-        let proposal = Example { slack: 1e-7, ..example.clone() }.propose();
+    // The surface is the square itself. Each part must be near to one triangle or segment, so the upper end is above.
+    for (facets, slack) in [("triangles", 0.12), ("bilinear", 0.12)] {
+        let proposal = Example { slack, ..shifted("sharp", facets) }.propose();
         let file = &proposal.file;
         assert!((proposal.distance - 0.375).abs() < 1e-12);
         assert_eq!(verdict(file), "verified");
-        let lo = with(file, &[("/claim/lo", json!("375001/1000000"))]);
-        assert_eq!(verdict(&lo), "claim");
         // A facet that is nearer, wherever it is in the list, and its vertices first or last.
         for first in [true, false] {
             let near = json!([["1", "1", "0"], ["2", "1", "0"], ["1", "2", "0"]]);
@@ -367,15 +357,17 @@ fn another_mesh_at_a_known_distance() {
             }
         }
     }
+    // Over one large triangle both ends are near to 3/8.
+    let large = Example { side: "surface-to-mesh", slack: 1e-12, ..over_a_triangle("sharp") };
+    tampered("over a triangle", &large.propose());
     // With a smooth boundary the surface does not reach the corners; without rule only the inner quad counts.
-    let smooth = Example { depth: 4, slack: 0.03, ..shifted("smooth", "bilinear") };
+    let smooth = Example { depth: 4, slack: 0.12, ..shifted("smooth", "triangles") };
     tampered("smooth", &smooth.propose());
-    let none = Example { side: "surface-to-mesh", slack: 1e-7, ..shifted("none", "bilinear") };
+    let none = Example { side: "surface-to-mesh", slack: 1e-12, ..over_a_triangle("none") };
     tampered("none", &none.propose());
     // The boundary rule matters: what is proved with one is not with another.
     for (made, told) in [("sharp", "smooth"), ("smooth", "sharp")] {
-        let slack = if made == "sharp" { 1e-7 } else { 0.03 };
-        let file = Example { depth: 4, slack, ..shifted(made, "bilinear") }.propose().file;
+        let file = Example { depth: 4, slack: 0.12, ..shifted(made, "triangles") }.propose().file;
         let other = with(&file, &[("/claim/boundary", json!(told))]);
         assert_ne!(verdict(&other), "verified", "{made} as {told}");
     }
@@ -464,7 +456,7 @@ fn the_saddle_of_valence_8() {
         assert!(told.contains(words), "{told}");
     }
     let vertex = |x: &str| verdict(&with(file, &[("/claim/vertex", json!(x))]));
-    assert_eq!((vertex("3955/100000"), vertex("3956/100000")), ("vertex", "verified"));
+    assert_eq!((vertex("791/20000"), vertex("989/25000")), ("vertex", "verified"));
     // Moved by more than the bound; the order of the vertices; another amplitude or frequency.
     let x = file["claim"]["vertices"][3].clone();
     for axis in 0..3 {
@@ -616,7 +608,7 @@ fn claims_that_contradict_themselves_and_forms() {
         ("/claim/scheme", json!("catmull-clark"), "format"),
         ("/claim/vertex", json!("49/100"), "vertex"),
         ("/claim/vertex", Value::Null, "format"),
-        ("/claim/vertices/0/0", json!("11/10"), "near-surface"),
+        ("/claim/vertices/0/0", json!("11/10"), "vertex"),
         ("/bases", json!([[1]]), "bases"),
         ("/steps/0/side", json!("both"), "far"),
         ("/steps/0/at", json!({"face": 9, "word": "", "corner": 0}), "far"),
