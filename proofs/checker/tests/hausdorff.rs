@@ -294,6 +294,14 @@ fn the_saddle_of_valence_8() {
     }
     let vertex = |x: &str| verdict(&with(file, &[("/claim/vertex", json!(x))]));
     assert_eq!((vertex("791/20000"), vertex("989/25000")), ("vertex", "verified"));
+    // Another point, which is no farther than lo: the centre, which is on both. Another facet.
+    let centre = json!({"face": 0, "word": "", "corner": 0});
+    assert_eq!(verdict(&with(file, &[("/steps/0/at", centre)])), "far");
+    let cells = file["steps"][1]["cells"].as_array().unwrap();
+    let index = cells.iter().position(|cell| cell[2].is_u64()).unwrap();
+    let opposite = json!((cells[index][2].as_u64().unwrap() + 16) % 32);
+    let elsewhere = with(file, &[(&format!("/steps/1/cells/{index}/2"), opposite)]);
+    assert_eq!(verdict(&elsewhere), "near-mesh");
     // Moved by more than the bound; the order of the vertices; another amplitude or frequency.
     let x = file["claim"]["vertices"][3].clone();
     for axis in 0..3 {

@@ -320,10 +320,10 @@ impl Seen<'_> {
 
     /// What all points of a net are near to.
     fn near(&self, net: &[V], own: Option<&Facet>, hi: f64) -> Option<Value> {
-        if let Some(own) = own {
-            if net.iter().all(|p| own.corners.iter().all(|c| len(sub(*p, *c)) <= hi)) {
-                return Some(json!("match"));
-            }
+        let matched =
+            |own: &Facet| net.iter().all(|p| own.corners.iter().all(|c| len(sub(*p, *c)) <= hi));
+        if own.is_some_and(matched) {
+            return Some(json!("match"));
         }
         let centre = mean(net.iter().copied());
         let mut order: Vec<(f64, usize)> =

@@ -112,11 +112,11 @@ impl Example {
         for (f, face) in mesh.faces.iter().enumerate() {
             let m = face.len();
             let e = |i: usize| edges[&edge(face[i % m], face[(i + 1) % m])];
-            for i in 0..m {
+            for (i, &corner) in face.iter().enumerate() {
                 faces.push(if self.is_loop() {
-                    vec![face[i], e(i), e(i + m - 1)]
+                    vec![corner, e(i), e(i + m - 1)]
                 } else {
-                    vec![face[i], e(i), first + f, e(i + m - 1)]
+                    vec![corner, e(i), first + f, e(i + m - 1)]
                 });
             }
             if self.is_loop() {
