@@ -22,6 +22,14 @@ pub struct Fixed {
 
 /// `floor(a b / 2^64)`, and whether anything was cut off; `None` beyond the limit.
 fn product(a: i128, b: i128) -> Option<(i128, bool)> {
+    // Below 1 in magnitude, as most numbers are, one product will do.
+    let small = |x: i128| u64::try_from(x.unsigned_abs()).ok();
+    if let (Some(x), Some(y)) = (small(a), small(b)) {
+        let all = u128::from(x) * u128::from(y);
+        let (whole, cut) = ((all >> PLACES) as i128, all & LOW as u128 != 0);
+        let negative = (a < 0) != (b < 0);
+        return Some((if negative { -whole - i128::from(cut) } else { whole }, cut));
+    }
     // a = 2^64 a1 + a0, b = 2^64 b1 + b0, so a b / 2^64 = a1 b + a0 b1 + a0 b0 / 2^64; |a1|, |b1| <= 2^62.
     let (a1, a0, b1, b0) = (a >> PLACES, a & LOW, b >> PLACES, b & LOW);
     let least = (a0 as u128) * (b0 as u128);
@@ -71,8 +79,9 @@ impl Fixed {
         let ends = [self.lo, self.hi].map(|end| end.checked_mul(p.into()));
         let (true, [Some(a), Some(b)]) = (self.is_bounded(), ends) else { return Self::WHOLE };
         let (lo, hi) = (a.min(b), a.max(b));
-        if q == 1 {
-            return Self::new(Some(lo), Some(hi));
+        if q.count_ones() == 1 {
+            let places = q.trailing_zeros();
+            return Self::new(Some(lo >> places), Some(-(-hi >> places)));
         }
         Self::new(Some(lo.div_euclid(q.into())), Some(-(-hi).div_euclid(q.into())))
     }
@@ -122,12 +131,15 @@ impl Fixed {
         if !self.is_bounded() || !divisor.is_bounded() || (divisor.lo <= 0 && divisor.hi >= 0) {
             return Self::WHOLE;
         }
-        let all = [self.lo, self.hi].map(|a| {
-            [divisor.lo, divisor.hi].map(|b| {
-                let (floor, rest) = (BigInt::from(a) << PLACES).div_mod_floor(&BigInt::from(b));
-                (floor.to_i128(), i128::from(rest != BigInt::ZERO))
-            })
-        });
+        let quotient = |a: i128, b: i128| {
+            let (floor, rest) = (BigInt::from(a) << PLACES).div_mod_floor(&BigInt::from(b));
+            (floor.to_i128(), i128::from(rest != BigInt::ZERO))
+        };
+        let all = if self.lo == self.hi && divisor.lo == divisor.hi {
+            [[quotient(self.lo, divisor.lo); 2]; 2]
+        } else {
+            [self.lo, self.hi].map(|a| [divisor.lo, divisor.hi].map(|b| quotient(a, b)))
+        };
         let all = all.as_flattened();
         let lo = all.iter().map(|(floor, _)| *floor).min().flatten();
         let up =

@@ -168,7 +168,7 @@ pub struct NearMesh {
 #[serde(untagged)]
 pub enum NearFacet {
     Triangle(usize),
-    Segment(usize, [Number; 2], [Number; 2]),
+    Segment(usize, Box<[Number; 2]>, Box<[Number; 2]>),
     Match(Match),
 }
 

@@ -87,15 +87,17 @@ fn parameters(point: &Vector, corners: &[Vector; 3]) -> [Fixed; 2] {
     let (aa, ab, bb, da, db) = (dot(&a, &a), dot(&a, &b), dot(&b, &b), dot(&d, &a), dot(&d, &b));
     let area = aa * bb - ab * ab;
     if area.is_positive() {
-        let [v, w] = [(da * bb - db * ab).over(area), (db * aa - da * ab).over(area)];
-        let [v, w, rest] = [v, w, Fixed::ONE - v - w].map(Fixed::middle);
+        let [v, w] =
+            [da * bb - db * ab, db * aa - da * ab].map(|x| x.middle().over(area.middle()).middle());
+        let rest = Fixed::ONE - v - w;
         if [v, w, rest].iter().all(|x| x.is_positive()) && (v + w).at_most(Fixed::ONE) {
             return [v, w];
         }
     }
     // On an edge, from corner 0 to 1, from 0 to 2, from 1 to 2.
     let c = minus(&b, &a).map(Fixed::middle);
-    let on = |way: &Vector, from: &Vector| dot(from, way).over(square(way)).fraction();
+    let on =
+        |way: &Vector, from: &Vector| dot(from, way).middle().over(square(way).middle()).fraction();
     let (on_a, on_b, on_c) = (on(&a, &d), on(&b, &d), on(&c, &minus(&d, &a)));
     let (zero, one) = (Fixed::ZERO, Fixed::ONE);
     let candidates = [[on_a, zero], [zero, on_b], [one - on_c, on_c]];

@@ -111,7 +111,7 @@ impl Part {
             let first = star.position(0)?;
             // Step 0 leads to the next corner; the steps turn with the corners.
             let step = |i: usize| [[1, 0], [0, 1], [-1, 0], [0, -1_isize]][(i + corner) % 4];
-            for i in 0..4 {
+            for (i, &neighbour) in ring.iter().enumerate() {
                 let ([dx, dy], [ex, ey]) = (step(i), step(i + 1));
                 let [face, place] = star.faces[(first + i) % 4];
                 let opposite = self.net.faces[face][(place + 2) % 4];
@@ -119,7 +119,7 @@ impl Part {
                     grid[y.wrapping_add_signed(dy)][x.wrapping_add_signed(dx)] =
                         self.net.points[vertex];
                 };
-                put(dx, dy, ring[i]);
+                put(dx, dy, neighbour);
                 put(dx + ex, dy + ey, opposite);
             }
         }

@@ -1,10 +1,17 @@
 //! A small proposer of certificates in floats: it refines the whole mesh a few times and takes what it sees.
-//! Nothing of it is shared with the checker; where a formula can be written in another way, it is.
+//! Nothing of it is shared with the checker.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 use serde_json::{Value, json};
+
+pub mod examples;
+mod facets;
+mod refine;
+
+use facets::{Facet, cut, to_segment, to_triangle};
+use refine::{Around, Level, around};
 
 pub type V = [f64; 3];
 
@@ -48,261 +55,6 @@ pub struct Example {
     pub slack: f64,
     pub vertex: Option<f64>,
     pub eigen: Option<(usize, usize, f64, f64)>,
-}
-
-#[derive(Clone)]
-struct Level {
-    points: Vec<V>,
-    faces: Vec<Vec<usize>>,
-}
-
-/// The faces and neighbours round each vertex, in no order; boundary edges.
-struct Around {
-    faces: Vec<Vec<usize>>,
-    near: Vec<BTreeSet<usize>>,
-    rim: Vec<Vec<usize>>,
-    sides: BTreeMap<[usize; 2], Vec<usize>>,
-}
-
-fn edge(a: usize, b: usize) -> [usize; 2] {
-    [a.min(b), a.max(b)]
-}
-
-fn around(mesh: &Level) -> Around {
-    let count = mesh.points.len();
-    let mut all = Around {
-        faces: vec![vec![]; count],
-        near: vec![BTreeSet::new(); count],
-        rim: vec![vec![]; count],
-        sides: BTreeMap::new(),
-    };
-    for (f, face) in mesh.faces.iter().enumerate() {
-        for (i, &a) in face.iter().enumerate() {
-            let b = face[(i + 1) % face.len()];
-            all.faces[a].push(f);
-            all.near[a].insert(b);
-            all.near[b].insert(a);
-            all.sides.entry(edge(a, b)).or_default().push(f);
-        }
-    }
-    for (&[a, b], faces) in &all.sides {
-        if faces.len() == 1 {
-            all.rim[a].push(b);
-            all.rim[b].push(a);
-        }
-    }
-    all
-}
-
-impl Example {
-    fn beta(&self, n: usize) -> f64 {
-        let c = (2.0 * PI / n as f64).cos();
-        match self.weights {
-            Some("warren") if n == 3 => 9.0 / 16.0,
-            Some("warren") => 3.0 / 8.0,
-            _ => 5.0 / 8.0 - (3.0 / 8.0 + c / 4.0) * (3.0 / 8.0 + c / 4.0),
-        }
-    }
-
-    fn is_loop(&self) -> bool {
-        self.scheme == "loop"
-    }
-
-    fn pinned(&self, at: &Around, a: usize) -> bool {
-        self.boundary == "sharp" && at.faces[a].len() == 1
-    }
-
-    fn refined(&self, mesh: &Level) -> Level {
-        let (at, p) = (around(mesh), &mesh.points);
-        let face_points: Vec<V> =
-            mesh.faces.iter().map(|f| mean(f.iter().map(|&i| p[i]))).collect();
-        let mut points = Vec::new();
-        for a in 0..p.len() {
-            let n = at.near[a].len();
-            points.push(if let [b, c] = at.rim[a][..] {
-                if self.pinned(&at, a) {
-                    p[a]
-                } else {
-                    add(mul(p[a], 0.75), mul(add(p[b], p[c]), 0.125))
-                }
-            } else if self.is_loop() {
-                let beta = self.beta(n);
-                let ring = mean(at.near[a].iter().map(|&b| p[b]));
-                add(mul(p[a], 1.0 - beta), mul(ring, beta))
-            } else {
-                // (F + 2 R + (n - 3) P)/n with the means F of face points and R of edge middles.
-                let faces = mean(at.faces[a].iter().map(|&f| face_points[f]));
-                let edges = mean(at.near[a].iter().map(|&b| mul(add(p[a], p[b]), 0.5)));
-                let n = n as f64;
-                mul(add(add(faces, mul(edges, 2.0)), mul(p[a], n - 3.0)), 1.0 / n)
-            });
-        }
-        let mut edges = BTreeMap::new();
-        for (&[a, b], faces) in &at.sides {
-            let middle = mul(add(p[a], p[b]), 0.5);
-            edges.insert([a, b], points.len());
-            points.push(if faces.len() == 1 {
-                middle
-            } else if self.is_loop() {
-                let opposite = faces.iter().flat_map(|&f| &mesh.faces[f]);
-                let opposite = opposite.filter(|&&c| c != a && c != b).map(|&c| p[c]);
-                add(mul(middle, 0.75), mul(mean(opposite), 0.25))
-            } else {
-                mul(add(middle, mean(faces.iter().map(|&f| face_points[f]))), 0.5)
-            });
-        }
-        let first = points.len();
-        points.extend(&face_points);
-        let mut faces = Vec::new();
-        for (f, face) in mesh.faces.iter().enumerate() {
-            let m = face.len();
-            let e = |i: usize| edges[&edge(face[i % m], face[(i + 1) % m])];
-            for i in 0..m {
-                faces.push(if self.is_loop() {
-                    vec![face[i], e(i), e(i + m - 1)]
-                } else {
-                    vec![face[i], e(i), first + f, e(i + m - 1)]
-                });
-            }
-            if self.is_loop() {
-                faces.push(vec![e(0), e(1), e(2)]);
-            }
-        }
-        Level { points, faces }
-    }
-
-    fn limits(&self, mesh: &Level) -> Vec<V> {
-        let (at, p) = (around(mesh), &mesh.points);
-        let limit = |a: usize| {
-            let n = at.near[a].len() as f64;
-            if let [b, c] = at.rim[a][..] {
-                if self.pinned(&at, a) {
-                    return p[a];
-                }
-                return mul(add(mul(p[a], 4.0), add(p[b], p[c])), 1.0 / 6.0);
-            }
-            if self.is_loop() {
-                // The ring's part is 1/(1 + 3/(8 beta)).
-                let w = 1.0 / (1.0 + 3.0 / (8.0 * self.beta(at.near[a].len())));
-                return add(mul(p[a], 1.0 - w), mul(mean(at.near[a].iter().map(|&b| p[b])), w));
-            }
-            let faces =
-                mean(at.faces[a].iter().map(|&f| mean(mesh.faces[f].iter().map(|&i| p[i]))));
-            let ring = mean(at.near[a].iter().map(|&b| p[b]));
-            mul(add(add(mul(p[a], n - 1.0), mul(ring, 2.0)), mul(faces, 4.0)), 1.0 / (n + 5.0))
-        };
-        (0..p.len()).map(limit).collect()
-    }
-}
-
-/// A facet: a triangle, or a bilinear patch, with its face.
-#[derive(Clone, Debug)]
-pub struct Facet {
-    pub corners: Vec<V>,
-    pub face: usize,
-}
-
-fn cut(points: &[V], faces: &[Vec<usize>], how: &str) -> Vec<Facet> {
-    let mut all = Vec::new();
-    for (face, list) in faces.iter().enumerate() {
-        let at: Vec<V> = list.iter().map(|&i| points[i]).collect();
-        let m = at.len();
-        if m == 3 || (m == 4 && how == "bilinear") {
-            all.push(Facet { corners: at, face });
-        } else if how == "triangles" {
-            for i in 1..m - 1 {
-                all.push(Facet { corners: vec![at[0], at[i], at[i + 1]], face });
-            }
-        } else {
-            let centre = mean(at.iter().copied());
-            for i in 0..m {
-                let corners = vec![
-                    at[i],
-                    mean([at[i], at[(i + 1) % m]]),
-                    centre,
-                    mean([at[i], at[(i + m - 1) % m]]),
-                ];
-                all.push(Facet { corners, face });
-            }
-        }
-    }
-    all
-}
-
-fn to_segment(p: V, a: V, b: V) -> f64 {
-    let (d, e) = (sub(p, a), sub(b, a));
-    let t = if dot(e, e) > 0.0 { (dot(d, e) / dot(e, e)).clamp(0.0, 1.0) } else { 0.0 };
-    len(sub(d, mul(e, t)))
-}
-
-fn to_triangle(p: V, [a, b, c]: [V; 3]) -> f64 {
-    let edges = to_segment(p, a, b).min(to_segment(p, b, c)).min(to_segment(p, c, a));
-    let (x, y, d) = (sub(b, a), sub(c, a), sub(p, a));
-    let (xx, xy, yy, dx, dy) = (dot(x, x), dot(x, y), dot(y, y), dot(d, x), dot(d, y));
-    let area = xx * yy - xy * xy;
-    let (v, w) = ((dx * yy - dy * xy) / area, (dy * xx - dx * xy) / area);
-    if area > 0.0 && v >= 0.0 && w >= 0.0 && v + w <= 1.0 {
-        len(sub(d, add(mul(x, v), mul(y, w)))).min(edges)
-    } else {
-        edges
-    }
-}
-
-impl Facet {
-    fn at(&self, v: f64, w: f64) -> V {
-        let c = &self.corners;
-        if c.len() == 3 {
-            return add(c[0], add(mul(sub(c[1], c[0]), v), mul(sub(c[2], c[0]), w)));
-        }
-        let [low, high] = [(c[0], c[1]), (c[3], c[2])].map(|(a, b)| add(a, mul(sub(b, a), v)));
-        add(low, mul(sub(high, low), w))
-    }
-
-    /// A lower bound of the distance of a point.
-    fn at_least(&self, p: V) -> f64 {
-        let centre = mean(self.corners.iter().copied());
-        let radius = self.corners.iter().map(|c| len(sub(*c, centre))).fold(0.0, f64::max);
-        len(sub(p, centre)) - radius
-    }
-
-    /// The distance of a point; of a bilinear patch that of a net of triangles in it.
-    fn distance(&self, p: V) -> f64 {
-        if let [a, b, c] = self.corners[..] {
-            return to_triangle(p, [a, b, c]);
-        }
-        let n = 5;
-        let grid = |i: usize, j: usize| self.at(i as f64 / n as f64, j as f64 / n as f64);
-        let cells = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
-        cells.fold(f64::INFINITY, |least, (i, j)| {
-            let (a, b, c, d) = (grid(i, j), grid(i + 1, j), grid(i + 1, j + 1), grid(i, j + 1));
-            least.min(to_triangle(p, [a, b, c])).min(to_triangle(p, [a, c, d]))
-        })
-    }
-
-    /// The parameters of a point near to the nearest, on finer and finer grids.
-    fn nearest(&self, p: V) -> [f64; 2] {
-        let mut best = [0.5; 2];
-        for step in (1..=10).map(|i| 0.5_f64.powi(i)) {
-            let around = (-2..=2).flat_map(|i| (-2..=2).map(move |j| [i, j]));
-            let candidates = around.map(|d: [i32; 2]| {
-                [0, 1].map(|k| (best[k] + f64::from(d[k]) * step).clamp(0.0, 1.0))
-            });
-            let far = |x: &[f64; 2]| len(sub(p, self.at(x[0], x[1])));
-            best = candidates.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap();
-        }
-        best
-    }
-
-    fn child(&self, letter: usize) -> Self {
-        let (c, m) = (&self.corners, self.corners.len());
-        let middle = |i: usize| mean([c[i % m], c[(i + 1) % m]]);
-        let corners = match (m, letter) {
-            (3, 3) => vec![middle(0), middle(1), middle(2)],
-            (3, _) => vec![c[letter], middle(letter), middle(letter + 2)],
-            _ => vec![c[letter], middle(letter), mean(c.iter().copied()), middle(letter + 3)],
-        };
-        Self { corners, face: self.face }
-    }
 }
 
 /// A number as a rational in lowest terms.
@@ -568,10 +320,10 @@ impl Seen<'_> {
 
     /// What all points of a net are near to.
     fn near(&self, net: &[V], own: Option<&Facet>, hi: f64) -> Option<Value> {
-        if let Some(own) = own {
-            if net.iter().all(|p| own.corners.iter().all(|c| len(sub(*p, *c)) <= hi)) {
-                return Some(json!("match"));
-            }
+        let matched =
+            |own: &Facet| net.iter().all(|p| own.corners.iter().all(|c| len(sub(*p, *c)) <= hi));
+        if own.is_some_and(matched) {
+            return Some(json!("match"));
         }
         let centre = mean(net.iter().copied());
         let mut order: Vec<(f64, usize)> =
