@@ -28,6 +28,7 @@
 //! assert_eq!(spectrum.compose(&spectrum.coefficients(&net)), net);
 //! ```
 
+pub mod eigenspline;
 pub mod eigenvalue;
 pub mod inner;
 pub mod loop_modes;
