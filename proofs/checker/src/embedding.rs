@@ -99,7 +99,7 @@ impl Map {
 }
 
 /// For each quarter and coefficient, the weights of the coefficients of the whole over the common denominator.
-type Quarters = Vec<Vec<Vec<(i64, usize)>>>;
+pub type Quarters = Vec<Vec<Vec<(i64, usize)>>>;
 
 /// The denominator of the weights in [`Quarters`].
 pub const WHOLE: i64 = 64;

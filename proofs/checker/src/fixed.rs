@@ -138,6 +138,15 @@ impl Fixed {
         Self::new(floor(self.lo), floor(self.hi).map(|x| x + 1))
     }
 
+    /// The larger of the two.
+    pub fn max(self, other: Self) -> Self {
+        if self.is_bounded() && other.is_bounded() {
+            Self { lo: self.lo.max(other.lo), hi: self.hi.max(other.hi) }
+        } else {
+            Self::WHOLE
+        }
+    }
+
     /// `2^bits` times the number.
     pub fn doubled(self, bits: u32) -> Self {
         let small = bits < 64 && self.is_bounded() && self.magnitude()[1] <= LIMIT >> bits;

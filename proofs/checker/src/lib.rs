@@ -14,7 +14,7 @@
 //! | `proof`, `region`, `cells`, `covering` | 4: the rules |
 //! | `inequality`, `violation`, `mesh` | 7: inequalities that hold, and violated ones |
 //! | `fixed`, `complex`, `eigen`, `sector`, `piece` | 9: intervals on a fixed grid; eigenvectors of the two-ring; their lattices and pieces of surface |
-//! | `embedding`, `centre`, `eigensplines`, `covered` | 9: the rules |
+//! | `embedding`, `centre`, `eigensplines` | 9: the rules |
 
 #![forbid(unsafe_code)]
 
@@ -27,7 +27,6 @@ mod centre;
 mod claim;
 mod complex;
 mod cosine;
-mod covered;
 mod covering;
 mod doo_sabin;
 mod eigen;
