@@ -34,6 +34,7 @@
 
 pub mod characteristic;
 pub mod eigen_mesh;
+pub mod eigenspline;
 pub mod eigenvalue;
 pub mod inner;
 pub mod jacobian;

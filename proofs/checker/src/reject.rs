@@ -79,6 +79,12 @@ rules! {
     NearSurface = "near-surface",
     /// A vertex is not shown to be near to its limit.
     Vertex = "vertex",
+    /// The characteristic map.
+    Embedding = "embedding",
+    /// The eigenvector of centre-distance.
+    Sign = "sign",
+    /// The distances of an eigenspline.
+    Rings = "rings",
 }
 
 /// Why a certificate is rejected.
