@@ -78,8 +78,14 @@ fn grids() -> Result<Vec<Named>, Box<dyn Error>> {
     let loop_grid = grid(3, triangles);
     let quad_grid = grid(4, quads);
     Ok(vec![
-        ("loop-original-saddle-n06.json".into(), certify(&loop_grid, &of_saddle(loop_scheme), None)?),
-        ("catmull-clark-saddle-n04.json".into(), certify(&quad_grid, &of_saddle(Scheme::CatmullClark), None)?),
+        (
+            "loop-original-saddle-n06.json".into(),
+            certify(&loop_grid, &of_saddle(loop_scheme), None)?,
+        ),
+        (
+            "catmull-clark-saddle-n04.json".into(),
+            certify(&quad_grid, &of_saddle(Scheme::CatmullClark), None)?,
+        ),
     ])
 }
 
@@ -101,14 +107,27 @@ fn grid(arity: u32, faces: impl Fn(u32, u32) -> Vec<[u32; 2]>) -> Mesh<Rational>
 fn closed() -> Result<Vec<Named>, Box<dyn Error>> {
     let octahedron = closed_mesh(
         3,
-        &[[2, 0, 0], [0, 3, 0], [-2, 0, 0], [0, -3, 0], [0, 0, 4], [0, 0, -4]],
-        &[0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5],
+        &[
+            [2, 0, 0],
+            [0, 3, 0],
+            [-2, 0, 0],
+            [0, -3, 0],
+            [0, 0, 4],
+            [0, 0, -4],
+        ],
+        &[
+            0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5,
+        ],
     );
-    let corners: Vec<[i64; 3]> = (0..8).map(|k| [1, 2, 4].map(|b| if k & b > 0 { 1 } else { -1 })).collect();
+    let corners: Vec<[i64; 3]> = (0..8)
+        .map(|k| [1, 2, 4].map(|b| if k & b > 0 { 1 } else { -1 }))
+        .collect();
     let cube = closed_mesh(
         4,
         &corners,
-        &[0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5],
+        &[
+            0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5,
+        ],
     );
     let request = |scheme, side, facets| Request {
         scheme,
@@ -120,21 +139,47 @@ fn closed() -> Result<Vec<Named>, Box<dyn Error>> {
         gap: 0.02,
         vertices: false,
     };
-    let (warren, original) = (Scheme::Loop(LoopWeights::Warren), Scheme::Loop(LoopWeights::Original));
+    let (warren, original) = (
+        Scheme::Loop(LoopWeights::Warren),
+        Scheme::Loop(LoopWeights::Original),
+    );
     let mut files = Vec::new();
     let mut add = |name: &str, mesh: &Mesh<Rational>, request: Request<'_>| {
-        certify(mesh, &request, None).map(|proof| files.push((format!("hausdorff-{name}.json"), proof)))
+        certify(mesh, &request, None)
+            .map(|proof| files.push((format!("hausdorff-{name}.json"), proof)))
     };
     let both = request(original, Side::Both, Facets::Triangles);
     add("loop-octahedron-both", &octahedron, both)?;
-    add("loop-octahedron-level-1", &octahedron, Request { level: 1, side: Side::SurfaceToMesh, ..both })?;
-    let limit = Request { flat: Flat::Limit, ..request(warren, Side::SurfaceToMesh, Facets::Triangles) };
+    add(
+        "loop-octahedron-level-1",
+        &octahedron,
+        Request {
+            level: 1,
+            side: Side::SurfaceToMesh,
+            ..both
+        },
+    )?;
+    let limit = Request {
+        flat: Flat::Limit,
+        ..request(warren, Side::SurfaceToMesh, Facets::Triangles)
+    };
     add("loop-octahedron-limit", &octahedron, limit)?;
-    let other = Request { flat: Flat::Other(&cube), ..both };
-    add("loop-octahedron-cube", &octahedron, Request { gap: 0.05, ..other })?;
+    let other = Request {
+        flat: Flat::Other(&cube),
+        ..both
+    };
+    add(
+        "loop-octahedron-cube",
+        &octahedron,
+        Request { gap: 0.05, ..other },
+    )?;
     let quads = request(Scheme::CatmullClark, Side::Both, Facets::Bilinear);
     add("catmull-clark-cube-both", &cube, quads)?;
-    let cut = Request { facets: Facets::Triangles, side: Side::SurfaceToMesh, ..quads };
+    let cut = Request {
+        facets: Facets::Triangles,
+        side: Side::SurfaceToMesh,
+        ..quads
+    };
     add("catmull-clark-cube-triangles", &cube, cut)?;
     Ok(files)
 }

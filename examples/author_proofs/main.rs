@@ -10,6 +10,8 @@
 //! inequalities. A rejected file is a certificate with
 //! one fault, named `<rule>-<fault>.json` after the rule that must reject it.
 
+mod hausdorff;
+mod hausdorff_faults;
 mod loop_faults;
 mod quad_faults;
 mod violation_faults;
@@ -38,6 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     loop_faults::write_all(&folder.join("rejected"))?;
     quad_faults::write_all(&folder.join("rejected"))?;
     violation_faults::write_all(&folder.join("rejected"))?;
+    hausdorff_faults::write_all(&folder.join("rejected"))?;
     if std::env::args().any(|argument| argument == "--only-rejected") {
         return Ok(());
     }
@@ -54,6 +57,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         {
             fs::write(folder.join("certificates").join(name), text(certificate)?)?;
         }
+    }
+    for (name, certificate) in hausdorff::all()? {
+        fs::write(folder.join("certificates").join(name), text(&certificate)?)?;
     }
     let deltas: Vec<Constant> = (0..15)
         .map(|i| Constant::Coefficient(Word::EMPTY, i))
