@@ -1,125 +1,190 @@
-//! Certificates of Hausdorff distances: written by the library, verified by the checker.
+//! Certificates of Hausdorff distances: what the library writes, the checker verifies, and its enclosure
+//! meets that of the measurement, which is another search in other arithmetic.
 
-use subcert::certificate::Claim;
-use subcert::distance::certify::{Boundary, Eigen, Flat, Request, certify};
-use subcert::distance::hausdorff::{Facets, Side};
+use subcert::certificate::{Certificate, Claim};
+use subcert::distance::certify::{Boundary, CertifyError, Flat, Request, certify};
+use subcert::distance::hausdorff::{self, Facets, Goal, Side, measure};
+use subcert::distance::model::Against;
 use subcert::mesh::{Mesh, Point, Topology};
-use subcert::scalar::{Field, Rational};
-use subcert::scheme::{LoopWeights, Scheme};
-use subcert::spectrum::{Rules, eigen_mesh::eigen_mesh};
+use subcert::scalar::{Field, Rational, Ring, float::round_to_nearest};
+use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 
-fn mesh(points: &[[i64; 3]], arity: u32, faces: &[u32]) -> Mesh<Rational> {
-    let point = |p: &[i64; 3]| Point(p.map(|x| Rational::ratio(x, 1)));
+fn mesh(points: &[[i64; 3]], faces: &[&[u32]]) -> Mesh<Rational> {
+    let point = |p: &[i64; 3]| Point(p.map(<Rational as Ring>::from_integer));
+    let starts = std::iter::once(0).chain(faces.iter().scan(0, |sum, face| {
+        *sum += face.len() as u32;
+        Some(*sum)
+    }));
+    let corners = faces.concat();
     Mesh {
-        topology: Topology::from_uniform(points.len(), arity, faces.to_vec()).unwrap(),
+        topology: Topology::from_polygons(points.len(), starts.collect(), corners).expect("a mesh"),
         positions: points.iter().map(point).collect(),
     }
 }
 
-fn octahedron() -> Mesh<Rational> {
-    let points = [
-        [2, 0, 0],
-        [0, 3, 0],
-        [-2, 0, 0],
-        [0, -3, 0],
-        [0, 0, 4],
-        [0, 0, -4],
+/// A roof of eight triangles round a vertex of valence 8, which is irrational with the original weights.
+fn roof() -> Mesh<Rational> {
+    let ring = [
+        [4, 0],
+        [3, 3],
+        [0, 4],
+        [-3, 3],
+        [-4, 0],
+        [-3, -3],
+        [0, -4],
+        [3, -3],
     ];
-    let faces = [
-        0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5,
-    ];
-    mesh(&points, 3, &faces)
+    let height = |i: usize| if i % 2 == 0 { 0 } else { 1 };
+    let mut points = vec![[0, 0, 3]];
+    points.extend(
+        ring.iter()
+            .enumerate()
+            .map(|(i, [x, y])| [*x, *y, height(i)]),
+    );
+    let faces: Vec<[u32; 3]> = (0..8).map(|i| [0, 1 + i, 1 + (i + 1) % 8]).collect();
+    let faces: Vec<&[u32]> = faces.iter().map(|f| &f[..]).collect();
+    mesh(&points, &faces)
+}
+
+/// A prism with a pentagon on top: polygons, boundary below.
+fn pentagon() -> Mesh<Rational> {
+    let around = [[5, 0], [2, 5], [-4, 3], [-4, -3], [2, -5]];
+    let at = |z: i64| around.iter().map(move |[x, y]| [*x, *y, z]);
+    let points: Vec<[i64; 3]> = at(4).chain(at(0)).collect();
+    let sides: Vec<[u32; 4]> = (0..5)
+        .map(|i| [i, 5 + i, 5 + (i + 1) % 5, (i + 1) % 5])
+        .collect();
+    let mut faces: Vec<&[u32]> = vec![&[0, 1, 2, 3, 4]];
+    faces.extend(sides.iter().map(|f| &f[..]));
+    mesh(&points, &faces)
+}
+
+fn request(scheme: Scheme, boundary: Boundary, facets: Facets, side: Side) -> Request<'static> {
+    Request {
+        scheme,
+        boundary,
+        level: 0,
+        flat: Flat::Control,
+        facets,
+        side,
+        gap: 0.05,
+        vertices: true,
+    }
+}
+
+fn number(text: &str) -> Rational {
+    let (p, q) = text.split_once('/').unwrap_or((text, "1"));
+    Rational::new(p.parse().expect("digits"), q.parse().expect("digits"))
+}
+
+fn verified(certificate: &Certificate) -> [Rational; 2] {
+    let mut text = Vec::new();
+    certificate.write(&mut text).expect("memory");
+    let verdict = subcert_check::check(&text);
+    assert!(
+        verdict.outcome.is_ok(),
+        "{:?}: {:?}",
+        verdict.claim,
+        verdict.outcome
+    );
+    let Claim::Hausdorff(claim) = &certificate.claim else {
+        panic!("another claim")
+    };
+    [number(&claim.lo), number(&claim.hi)]
+}
+
+/// The measured enclosure has a point in common with the proved one.
+fn meets(mesh: &Mesh<Rational>, request: &Request<'_>, [lo, hi]: &[Rational; 2]) {
+    let nearest = |p: &Point<Rational>| Point(p.0.each_ref().map(round_to_nearest));
+    let floats = Mesh {
+        topology: mesh.topology.clone(),
+        positions: mesh.positions.iter().map(nearest).collect(),
+    };
+    let corner = match request.boundary {
+        Boundary::Sharp => CornerRule::Sharp,
+        _ => CornerRule::Smooth,
+    };
+    let asked = hausdorff::Request {
+        scheme: request.scheme,
+        corner,
+        level: request.level,
+        against: Against::Control,
+        side: request.side,
+        facets: request.facets,
+        goal: Goal::default(),
+    };
+    let found = measure(&floats, None, &asked, &|_, _| ()).expect("a measurement");
+    let exact = |x: f64| Rational::from_float(x).expect("finite");
+    assert!(
+        exact(found.lo) <= *hi && *lo <= exact(found.hi),
+        "{found:?} {lo} {hi}"
+    );
+    assert!(
+        hi.clone() <= lo.clone() * &Rational::ratio(11, 10),
+        "not as close as asked"
+    );
 }
 
 #[test]
-fn octahedron_both_sides() {
+fn open_meshes_and_polygons() {
+    let original = Scheme::Loop(LoopWeights::Original);
     for side in [Side::SurfaceToMesh, Side::MeshToSurface] {
-        let request = Request {
-            scheme: Scheme::Loop(LoopWeights::Original),
-            boundary: Boundary::Smooth,
-            level: 0,
-            flat: Flat::Control,
-            facets: Facets::Triangles,
-            side,
-            gap: 0.02,
-            vertices: true,
-        };
-        let start = std::time::Instant::now();
-        let certificate = certify(&octahedron(), &request, None).unwrap();
-        let mut text = Vec::new();
-        certificate.write(&mut text).unwrap();
-        eprintln!("{side:?} {:?} {} bytes", start.elapsed(), text.len());
-        std::fs::write(format!("/tmp/oct-{side:?}.json"), &text).unwrap();
-        let verdict = subcert_check::check(&text);
-        eprintln!("{:?} {:?}", verdict.claim, verdict.outcome);
+        for (mesh, scheme, boundary, facets) in [
+            (roof(), original, Boundary::Smooth, Facets::Triangles),
+            (roof(), original, Boundary::Sharp, Facets::Triangles),
+            (
+                pentagon(),
+                Scheme::CatmullClark,
+                Boundary::Smooth,
+                Facets::Bilinear,
+            ),
+            (
+                pentagon(),
+                Scheme::CatmullClark,
+                Boundary::Sharp,
+                Facets::Triangles,
+            ),
+        ] {
+            let request = request(scheme, boundary, facets, side);
+            let proof = certify(&mesh, &request, None).expect("a proof");
+            meets(&mesh, &request, &verified(&proof));
+        }
     }
 }
 
 #[test]
-fn saddles() {
-    for (rules, scheme, n) in [
-        (
-            Rules::Loop(LoopWeights::Original),
-            Scheme::Loop(LoopWeights::Original),
-            5,
-        ),
-        (
-            Rules::Loop(LoopWeights::Original),
-            Scheme::Loop(LoopWeights::Original),
-            8,
-        ),
-        (Rules::CatmullClark, Scheme::CatmullClark, 8),
-    ] {
-        let amplitude = Rational::ratio(1, 1);
-        let net = eigen_mesh(rules, n, 2, &amplitude).unwrap();
-        let is_loop = scheme != Scheme::CatmullClark;
-        let request = Request {
-            scheme,
-            boundary: Boundary::None,
-            level: 0,
-            flat: Flat::Control,
-            facets: if is_loop {
-                Facets::Triangles
-            } else {
-                Facets::Bilinear
-            },
-            side: Side::SurfaceToMesh,
-            gap: 0.01,
-            vertices: true,
-        };
-        let eigen = Eigen {
-            valence: n,
-            frequency: 2,
-            amplitude,
-            within: net.within,
-        };
-        let start = std::time::Instant::now();
-        let certificate = certify(&net.mesh, &request, is_loop.then_some(&eigen)).unwrap();
-        let mut text = Vec::new();
-        certificate.write(&mut text).unwrap();
-        let Claim::Hausdorff(claim) = &certificate.claim else {
-            panic!()
-        };
-        let f = |s: &str| {
-            let (p, q) = s.split_once('/').unwrap();
-            p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap()
-        };
-        eprintln!(
-            "{scheme:?} {n} {:?} {} bytes lo {} hi {} vertex {}",
-            start.elapsed(),
-            text.len(),
-            f(&claim.lo),
-            f(&claim.hi),
-            f(claim.vertex.as_ref().unwrap())
-        );
-        std::fs::write(format!("/tmp/saddle-{}-{n}.json", scheme.name()), &text).unwrap();
-        let start = std::time::Instant::now();
-        let verdict = subcert_check::check(&text);
-        eprintln!(
-            "{:?} {:?} {:?}",
-            start.elapsed(),
-            verdict.claim,
-            verdict.outcome
-        );
-    }
+fn what_has_no_certificate() {
+    let smooth = |scheme| request(scheme, Boundary::Smooth, Facets::Bilinear, Side::Both);
+    let doo_sabin = certify(&pentagon(), &smooth(Scheme::DooSabin), None);
+    assert_eq!(doo_sabin.unwrap_err(), CertifyError::DooSabin);
+    let fine = Request {
+        level: 6,
+        ..smooth(Scheme::CatmullClark)
+    };
+    let many = certify(&pentagon(), &fine, None).unwrap_err();
+    assert!(matches!(many, CertifyError::TooManyFaces { faces } if faces > 2000));
+    let none = Request {
+        boundary: Boundary::None,
+        ..smooth(Scheme::CatmullClark)
+    };
+    assert_eq!(
+        certify(&pentagon(), &none, None).unwrap_err(),
+        CertifyError::NoSurface
+    );
+    // A plane: the surface is in it, and there is nothing to be shown.
+    let flat: Vec<[i64; 3]> = (0..9).map(|k| [k % 3, k / 3, 0]).collect();
+    let square = |k: u32| {
+        let v = k % 2 + 3 * (k / 2);
+        [v, v + 1, v + 4, v + 3]
+    };
+    let faces: Vec<[u32; 4]> = (0..4).map(square).collect();
+    let faces: Vec<&[u32]> = faces.iter().map(|f| &f[..]).collect();
+    let plane = Request {
+        side: Side::SurfaceToMesh,
+        ..smooth(Scheme::CatmullClark)
+    };
+    assert_eq!(
+        certify(&mesh(&flat, &faces), &plane, None).unwrap_err(),
+        CertifyError::NoDistance
+    );
 }
