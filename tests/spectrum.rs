@@ -295,11 +295,14 @@ fn eigenvalues_are_those_of_a_dense_float_decomposition() {
             Rules::CatmullClark => &[3, 4, 5, 6, 7, 8, 9, 12],
         };
         for row in tabulate(rules, valences) {
-            let schur = Schur::try_new(matrix_by_hand(rules, row.n as usize), 1e-15, 100_000);
+            // Shifted by 1: the iteration ends badly near an eigenvalue 0 (Catmull-Clark, n = 3).
+            let matrix = matrix_by_hand(rules, row.n as usize);
+            let shifted = &matrix + DMatrix::identity(matrix.nrows(), matrix.ncols());
+            let schur = Schur::try_new(shifted, 1e-14, 100_000);
             let dense = schur
                 .expect("the QR algorithm converges")
                 .complex_eigenvalues();
-            let mut found: Vec<f64> = dense.iter().map(|z| z.re).collect();
+            let mut found: Vec<f64> = dense.iter().map(|z| z.re - 1.0).collect();
             found.sort_by(|a, b| b.total_cmp(a));
             let entries = row.entries.iter();
             let certified =

@@ -283,3 +283,25 @@ fn sign_of_jacobian<S: Decide, P: PlanePatch<S>>(
     }
     (result, pieces)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Field, Interval, Rational};
+
+    /// (2 t - 1)^2 + e in Bernstein form: 1 + e, -1 + e, 1 + e; its least value is e, at 1/2.
+    #[test]
+    fn signs_hidden_by_coefficients_are_found_by_halving() {
+        let parabola = |e: Rational| {
+            let one = <Rational as Field>::ratio(1, 1);
+            [one.clone() + &e, e.clone() - &one, one + &e]
+        };
+        let ratio = <Rational as Field>::ratio;
+        assert_eq!(sign_of(&parabola(ratio(1, 50)), DEPTH), Sign::Positive);
+        assert_eq!(sign_of(&parabola(ratio(-1, 50)), DEPTH), Sign::Refuted);
+        assert_eq!(sign_of(&parabola(ratio(0, 1)), DEPTH), Sign::Refuted);
+        assert_eq!(sign_of(&parabola(ratio(1, 50)), 0), Sign::Undecided);
+        let wide = Interval::new(-1.0, 1.0);
+        assert_eq!(sign_of(&[wide, wide], DEPTH), Sign::Undecided);
+    }
+}
