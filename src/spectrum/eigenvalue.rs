@@ -102,10 +102,11 @@ impl Root {
         if self.trace == other.trace && self.determinant == other.determinant {
             return self.larger.cmp(&other.larger);
         }
-        if let Some(x) = self.common(other) {
-            if self.is(&x) && other.is(&x) {
-                return Ordering::Equal;
-            }
+        if let Some(x) = self.common(other)
+            && self.is(&x)
+            && other.is(&x)
+        {
+            return Ordering::Equal;
         }
         // Different numbers: a rational between them is found by halving.
         let (mut low, mut high) = {
@@ -231,8 +232,9 @@ mod tests {
             root(0, -2, true),
             exact(3, 2),
             root(0, -3, true),
-            root(2, -1, true),
             exact(12071, 5000),
+            root(2, -1, true),
+            exact(5, 2),
         ];
         for (i, a) in ascending.iter().enumerate() {
             for (j, b) in ascending.iter().enumerate() {
