@@ -86,6 +86,9 @@ pub struct Check {
 /// it is `Refuted` if one fails, which for a condition other than regularity doesn't prove that the
 /// map is not injective: only that it isn't proved by this theorem.
 ///
+/// Precondition: over intervals, `mode.right` encloses an eigenvector of the spectrum, as those of
+/// [`Spectrum::inner`] do; a net that certainly is none is refuted.
+///
 /// ```
 /// use subcert::scalar::Cyclotomic;
 /// use subcert::scheme::LoopWeights;
@@ -111,7 +114,7 @@ pub fn check<S: Represent + Decide>(spectrum: &Spectrum<S>, mode: &InnerMode<S>)
             sign(&lambda).and(sign(&(one - &lambda)))
         });
     let eligible = match (mode.frequency, mode.chain.is_empty()) {
-        (1, true) => contracts,
+        (1, true) => contracts.and(kept(spectrum, &frequency, mode)),
         _ => Sign::Refuted,
     };
     let (tiles, ray, boundary) = match rules {
@@ -166,6 +169,27 @@ pub fn check<S: Represent + Decide>(spectrum: &Spectrum<S>, mode: &InnerMode<S>)
         injective: eligible.and(regular).and(ray).and(around),
         pieces,
     }
+}
+
+/// Whether A v = λ v: refuted where that is certainly false. Over intervals it can't be seen to be true
+/// and is a property of the mode that the caller answers for.
+fn kept<S: Represent + Decide>(
+    spectrum: &Spectrum<S>,
+    frequency: &Frequency<S>,
+    mode: &InnerMode<S>,
+) -> Sign {
+    let Some(lambda) = mode.eigenvalue.represent::<S>() else {
+        return Sign::Undecided;
+    };
+    let mut kinds = mode.right.kinds.iter().enumerate();
+    let kept = kinds.all(|(kind, z)| {
+        let image = mode.right.at(frequency, spectrum.ring().kind(kind));
+        let excess = image - &(z.clone() * &lambda);
+        [excess.x, excess.y]
+            .iter()
+            .all(|x| !matches!(x.decide(&S::zero()), Some(order) if order.is_ne()))
+    });
+    if kept { Sign::Positive } else { Sign::Refuted }
 }
 
 /// The local net of sector 0 of a Fourier net, in Stam's numbering.
@@ -258,4 +282,26 @@ fn sign_of_jacobian<S: Decide, P: PlanePatch<S>>(
         open_pieces.extend(halves);
     }
     (result, pieces)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Field, Interval, Rational};
+
+    /// (2 t - 1)^2 + e in Bernstein form: 1 + e, -1 + e, 1 + e; its least value is e, at 1/2.
+    #[test]
+    fn signs_hidden_by_coefficients_are_found_by_halving() {
+        let parabola = |e: Rational| {
+            let one = <Rational as Field>::ratio(1, 1);
+            [one.clone() + &e, e.clone() - &one, one + &e]
+        };
+        let ratio = <Rational as Field>::ratio;
+        assert_eq!(sign_of(&parabola(ratio(1, 50)), DEPTH), Sign::Positive);
+        assert_eq!(sign_of(&parabola(ratio(-1, 50)), DEPTH), Sign::Refuted);
+        assert_eq!(sign_of(&parabola(ratio(0, 1)), DEPTH), Sign::Refuted);
+        assert_eq!(sign_of(&parabola(ratio(1, 50)), 0), Sign::Undecided);
+        let wide = Interval::new(-1.0, 1.0);
+        assert_eq!(sign_of(&[wide, wide], DEPTH), Sign::Undecided);
+    }
 }

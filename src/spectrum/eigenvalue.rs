@@ -102,10 +102,11 @@ impl Root {
         if self.trace == other.trace && self.determinant == other.determinant {
             return self.larger.cmp(&other.larger);
         }
-        if let Some(x) = self.common(other) {
-            if self.is(&x) && other.is(&x) {
-                return Ordering::Equal;
-            }
+        if let Some(x) = self.common(other)
+            && self.is(&x)
+            && other.is(&x)
+        {
+            return Ordering::Equal;
         }
         // Different numbers: a rational between them is found by halving.
         let (mut low, mut high) = {
@@ -199,5 +200,52 @@ impl fmt::Display for Eigenvalue {
                 root.trace
             ),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn exact(p: i64, q: i64) -> Eigenvalue {
+        Eigenvalue::Exact(Cyclotomic::ratio(p, q))
+    }
+
+    fn root(trace: i64, determinant: i64, larger: bool) -> Eigenvalue {
+        Eigenvalue::Root(Root {
+            trace: Cyclotomic::from_integer(trace),
+            determinant: Cyclotomic::from_integer(determinant),
+            larger,
+        })
+    }
+
+    /// Numbers in their order: -√3, -√2, -1, 1 - √2, .., by the polynomials x^2 - 3, x^2 - 2, x^2 - 2x - 1.
+    #[test]
+    fn roots_are_ordered_exactly() {
+        let ascending = [
+            root(0, -3, false),
+            root(0, -2, false),
+            exact(-1, 1),
+            root(2, -1, false),
+            exact(0, 1),
+            exact(7, 5),
+            root(0, -2, true),
+            exact(3, 2),
+            root(0, -3, true),
+            exact(12071, 5000),
+            root(2, -1, true),
+            exact(5, 2),
+        ];
+        for (i, a) in ascending.iter().enumerate() {
+            for (j, b) in ascending.iter().enumerate() {
+                assert_eq!(a.compare(b), i.cmp(&j), "{a} and {b}");
+            }
+        }
+        // -√2 and √2 in magnitude; the root 2 that (x - 1)(x - 2) and (x - 2)(x - 3) have in common.
+        let [low, high] = [root(0, -2, false), root(0, -2, true)];
+        assert!(low.compare_magnitude(&high).is_eq());
+        assert!(root(3, 2, true).compare(&root(5, 6, false)).is_eq());
+        assert!(root(3, 2, true).compare(&exact(2, 1)).is_eq());
+        assert!(root(3, 2, false).compare(&root(5, 6, false)).is_lt());
     }
 }

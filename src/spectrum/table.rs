@@ -116,7 +116,7 @@ fn row(rules: Rules, n: u32) -> Row {
     let one = Eigenvalue::Exact(Cyclotomic::one());
     let mut found = vec![(one, Source::Constant, 1, 1)];
     for mode in spectrum.inner() {
-        let real = 2 * mode.frequency % n == 0;
+        let real = (2 * mode.frequency).is_multiple_of(n);
         let count = if real { 1 } else { 2 };
         let geometric = if mode.chain.is_empty() { count } else { 0 };
         let source = Source::Frequency(mode.frequency);
