@@ -278,11 +278,14 @@ fn the_saddle_of_valence_8() {
     assert_eq!(verdict(&elsewhere), "near-mesh");
     // Moved by more than the bound; the order of the vertices; another amplitude or frequency.
     let x = file["claim"]["vertices"][3].clone();
-    for axis in 0..3 {
-        let mut moved = saddle();
-        moved.points[20][axis] += 3e-9;
-        assert_eq!(verdict(&Example { depth: 5, ..moved }.propose().file), "mesh");
+    for (axis, by) in (0..3).flat_map(|axis| [(axis, 3e-9), (axis, -3e-9)]) {
+        let moved = saddle().points[20][axis] + by;
+        let moved = [(&*format!("/claim/vertices/20/{axis}"), json!(rational(moved)))];
+        assert_eq!(verdict(&with(file, &moved)), "mesh");
     }
+    let mut faces = file["claim"]["faces"].as_array().unwrap().clone();
+    faces.swap(0, 4);
+    assert_eq!(verdict(&with(file, &[("/claim/faces", json!(faces))])), "mesh");
     let exchanged =
         [("/claim/vertices/3", file["claim"]["vertices"][4].clone()), ("/claim/vertices/4", x)];
     assert_eq!(verdict(&with(file, &exchanged)), "mesh");
@@ -297,5 +300,31 @@ fn the_saddle_of_valence_8() {
         ("/claim/boundary", json!("smooth"), "claim"),
     ] {
         assert_eq!(verdict(&with(file, &[(pointer, value.clone())])), rule, "{pointer} {value}");
+    }
+}
+
+/// Over each face in turn there is a point, (±1, ±1, ±1), that is nearer to the surface over this face than to all others,
+/// by more than a hundredth.
+#[test]
+fn no_face_is_left_out() {
+    let example = octahedron();
+    for face in &example.faces {
+        let corners = [0, 1, 2].map(|i| example.points[face[i]]);
+        let point = [0, 1, 2].map(|axis| corners.iter().map(|corner| corner[axis]).sum::<f64>());
+        let beside = |axis: usize| {
+            let mut beside = point;
+            beside[axis] *= 1.0 + 1.0 / 65536.0;
+            beside
+        };
+        let other = (vec![point, beside(0), beside(1)], vec![vec![0, 1, 2]]);
+        let side = "mesh-to-surface";
+        let example =
+            Example { against: "other", other: Some(other), side, slack: 1.0, ..example.clone() };
+        let Proposal { mut file, distance } = example.propose();
+        file["steps"][0]["at"] = json!({"facet": 0, "at": ["0", "0"]});
+        file["claim"]["lo"] = json!(rational(distance * 0.995));
+        assert_eq!(verdict(&file), "verified", "{:?}", check(file.to_string().as_bytes()));
+        file["claim"]["lo"] = json!(rational(distance * 1.005));
+        assert_eq!(verdict(&file), "far");
     }
 }

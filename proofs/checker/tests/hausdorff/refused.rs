@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use subcert_check::check;
 
 use super::proposer::Example;
-use super::proposer::examples::{icosahedron, octahedron, prism};
+use super::proposer::examples::{grid, icosahedron, octahedron, prism};
 use super::{verdict, with};
 
 #[test]
@@ -126,6 +126,13 @@ fn meshes_that_are_none() {
     assert_eq!(faces(json!([[1, 2, 7]])), "mesh", "no such vertex");
     assert_eq!(faces(json!([[1, 2, 0]])), "mesh", "vertices count from 1");
     assert_eq!(faces(json!([[1, 2, 2]])), "mesh", "a vertex twice");
+    let five = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]
+        .map(|p| p.map(|x: i32| x.to_string()));
+    let bow = with(
+        &file,
+        &[("/claim/faces", json!([[1, 2, 3], [1, 4, 5]])), ("/claim/vertices", json!(five))],
+    );
+    assert_eq!(verdict(&bow), "mesh", "two fans at one vertex");
     // Two triangles back to back have valence 2, and two pyramids joined at their tips two fans.
     let back = with(
         &file,
@@ -178,4 +185,69 @@ fn claims_that_contradict_themselves_and_forms() {
     for words in ["Loop, Warren's weights", "6 vertices, 8 faces", "triangles", "is from 0.44"] {
         assert!(told.contains(words), "{told}");
     }
+}
+
+/// One flat triangle; its corner 0 is in the middle between the others, nearly.
+fn flat() -> Example {
+    Example {
+        points: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [-1.0, 0.125, 0.0]],
+        faces: vec![vec![0, 1, 2]],
+        depth: 1,
+        slack: 20.0,
+        ..octahedron()
+    }
+}
+
+#[test]
+fn all_corners_count() {
+    let claim = |side: &'static str, hi: &str, steps: Value| {
+        let file = Example { side, ..flat() }.propose().file;
+        let changes = [("/claim/lo", json!("0")), ("/claim/hi", json!(hi)), ("/steps", steps)];
+        verdict(&with(&file, &changes))
+    };
+    let near_mesh = json!([
+        {"rule": "far", "side": "surface-to-mesh", "at": {"face": 0, "word": "", "corner": 0}},
+        {"rule": "near-mesh", "cells": [[0, "", "match"]]},
+    ]);
+    let near_surface = json!([
+        {"rule": "far", "side": "mesh-to-surface", "at": {"facet": 0, "at": ["0", "0"]}},
+        {"rule": "near-surface", "cells": [[0, "", [0, "", 0]]]},
+    ]);
+    // Corner 0 is within 1.01 of the others, and these are 2.004 from each other.
+    assert_eq!(claim("surface-to-mesh", "3/2", near_mesh.clone()), "near-mesh");
+    assert_eq!(claim("surface-to-mesh", "201/100", near_mesh), "verified");
+    // The limit of corner 0 is (0, 1/48, 0).
+    assert_eq!(claim("mesh-to-surface", "1/2", near_surface.clone()), "near-surface");
+    assert_eq!(claim("mesh-to-surface", "101/100", near_surface), "verified");
+}
+
+#[test]
+fn all_vertices_are_near_to_their_limits() {
+    // The last vertex is three times as far out as the others: 3 less half of the mean of its ring, 0.
+    let mut example = Example { side: "surface-to-mesh", depth: 1, slack: 20.0, ..octahedron() };
+    example.points[5] = [0.0, 0.0, -3.0];
+    let told = |vertex: f64| {
+        let mut file = Example { vertex: Some(vertex), ..example.clone() }.propose().file;
+        file["claim"]["lo"] = json!("0");
+        file["claim"]["hi"] = json!("100");
+        verdict(&file)
+    };
+    assert_eq!((told(1.49), told(1.51)), ("vertex", "verified"));
+}
+
+#[test]
+fn facets_that_do_not_count_are_no_place() {
+    let example = Example {
+        boundary: "none",
+        side: "mesh-to-surface",
+        depth: 1,
+        slack: 20.0,
+        ..grid(4, false, |_, _| 0.0)
+    };
+    let mut file = example.propose().file;
+    file["claim"]["lo"] = json!("0");
+    let at = |facet: usize| json!({"facet": facet, "at": ["1/2", "1/2"]});
+    assert_eq!(verdict(&with(&file, &[("/steps/0/at", at(4))])), "verified");
+    assert_eq!(verdict(&with(&file, &[("/steps/0/at", at(3))])), "far");
+    assert_eq!(verdict(&with(&file, &[("/steps/0/at", at(9))])), "far");
 }
