@@ -100,10 +100,10 @@ impl Fixed {
         Self::new(Some(lo.div_euclid(q.into())), Some(-(-hi).div_euclid(q.into())))
     }
 
-    /// The largest s, 62 at most, such that `2^s` times the number is at most 1 in magnitude.
+    /// The largest s, 62 at most, such that `2^s` times the number is below 1 in magnitude; 0 if there is none.
     pub fn room(self) -> u32 {
         let [_, large] = self.magnitude();
-        (large.max(1).leading_zeros() - 1).saturating_sub(127 - PLACES - 1).min(62)
+        large.max(1).leading_zeros().saturating_sub(128 - PLACES).min(62)
     }
 
     /// The middle, or the nearer of 0 and 1 if it is beyond: for choices that need no proof.
@@ -379,7 +379,7 @@ mod tests {
 
     #[test]
     fn room_and_fractions() {
-        for (x, room) in [((1, 1), 0), ((-3, 4), 0), ((1, 2), 1), ((-1, 8), 3), ((5, 1), 0)] {
+        for (x, room) in [((1, 1), 0), ((-3, 4), 0), ((1, 2), 0), ((-1, 8), 2), ((5, 1), 0)] {
             assert_eq!(Fixed::ratio(x.0, x.1).room(), room, "{x:?}");
         }
         assert_eq!(Fixed::ZERO.room(), 62);

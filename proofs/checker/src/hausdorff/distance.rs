@@ -43,7 +43,7 @@ fn square(a: &Vector) -> Fixed {
     a[0].square() + a[1].square() + a[2].square()
 }
 
-/// The largest s, 62 at most, such that `2^s` times the vectors have coordinates of magnitude 1 at most.
+/// The largest s, 62 at most, such that `2^s` times the vectors have coordinates below 1 in magnitude.
 fn room<'a>(all: impl IntoIterator<Item = &'a Vector>) -> u32 {
     all.into_iter().flatten().map(|x| x.room()).min().unwrap_or(0)
 }
