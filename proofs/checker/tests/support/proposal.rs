@@ -231,24 +231,27 @@ fn maximum(f: &dyn Fn(f64, f64) -> Option<f64>) -> (f64, [i64; 2]) {
         valid.then(|| f(v, w)).flatten().unwrap_or(0.0)
     };
     let grid = (0..=16).flat_map(|i| (0..=16 - i).map(move |k| [i, k].map(|x| x * UNIT / 16)));
-    let mut best =
-        grid.map(|p| (at(p), p)).fold((-1.0, [0, 0]), |a, b| if b.0 > a.0 { b } else { a });
-    let mut step = UNIT / 16;
-    while step > 1 {
-        let around = (-2..=2).flat_map(|i| (-2..=2).map(move |k| [i, k]));
-        let old = best;
-        for [i, k] in around {
-            let point = [old.1[0] + i * step / 2, old.1[1] + k * step / 2];
-            let found = at(point);
-            if found > best.0 {
-                best = (found, point);
+    let mut starts: Vec<_> = grid.map(|p| (at(p), p)).collect();
+    starts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    // Finer and finer grids round the best points: ridges, at the edges of facets, run in any direction.
+    let climb = |start: &(f64, [i64; 2])| {
+        let (mut best, mut step) = (*start, UNIT as f64 / 16.0);
+        while step > 1.0 {
+            let middle = best.1;
+            for (i, k) in (-3..=3).flat_map(|i| (-3..=3).map(move |k| (i, k))) {
+                let [v, w] =
+                    [(0, i), (1, k)].map(|(d, i)| middle[d] + (f64::from(i) * step / 3.0) as i64);
+                let found = at([v, w]);
+                if found > best.0 {
+                    best = (found, [v, w]);
+                }
             }
+            step *= 0.6;
         }
-        if best.1 == old.1 {
-            step /= 2;
-        }
-    }
-    best
+        best
+    };
+    let tops = starts.iter().take(12).map(climb);
+    tops.fold((-1.0, [0, 0]), |a, b| if b.0 > a.0 { b } else { a })
 }
 
 fn rational(x: f64) -> BigRational {
