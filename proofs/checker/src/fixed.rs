@@ -110,7 +110,10 @@ impl Fixed {
 
     /// The middle, as a number by itself: for choices that need no proof.
     pub fn middle(self) -> Self {
-        let middle = self.lo / 2 + self.hi / 2;
+        if !self.is_bounded() {
+            return self;
+        }
+        let middle = (self.lo >> 1) + (self.hi >> 1);
         Self { lo: middle, hi: middle }
     }
 
