@@ -12,7 +12,7 @@ mod web;
 
 use proposal::{Case, Name, propose};
 
-const SLACK: f64 = 2e-3;
+const SLACK: f64 = 1e-5;
 const DEPTH: usize = 24;
 
 fn names(n: usize) -> Vec<Name> {
@@ -51,7 +51,7 @@ fn proposals_are_verified() {
                 if weights == "warren" && (n == 3 || n == 6) {
                     continue;
                 }
-                let case = Case { n, weights, against, levels: 3 };
+                let case = Case { n, weights, against, levels: if n == 8 { 2 } else { 3 } };
                 let mut names = names(n);
                 if weights == "warren" {
                     names.retain(|name| *name == Name("ring", Some(0)));
@@ -85,7 +85,7 @@ fn distances_are_those_of_another_program() {
         let (file, found) = propose(&case, &list, SLACK, DEPTH);
         assert_eq!(verdict(&file).0, "verified", "{n} {name:?}");
         // At n = 3 the chain makes the enclosure wider than the search's value.
-        let slack = if n == 3 { 0.2 } else { 3e-3 };
+        let slack = if n == 3 { 0.2 } else { 1e-4 };
         for (m, distance) in distances.into_iter().enumerate() {
             let pointer = format!("/claim/modes/{}/distances/{m}", list.len() - 1);
             let ends = [0, 1].map(|i| {
@@ -93,9 +93,12 @@ fn distances_are_those_of_another_program() {
                 let (p, q) = text.split_once('/').unwrap_or((&text, "1"));
                 p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap()
             });
-            assert!(ends[0] <= distance * (1.0 + 1e-6) && distance <= ends[1], "{n} {name:?} {m}");
+            assert!(
+                ends[0] <= distance * (1.0 + 1e-5) && distance <= ends[1] * (1.0 + 1e-5),
+                "{n} {name:?} {m}"
+            );
             assert!(ends[1] - ends[0] < slack * distance, "{n} {name:?} {m}: {ends:?}");
-            assert!((found[list.len() - 1][m] - distance).abs() < 0.01 * distance);
+            assert!((found[list.len() - 1][m] - distance).abs() < 1e-5 * distance);
         }
     }
 }
@@ -109,23 +112,23 @@ fn what_is_changed_is_rejected() {
     for i in 0..3 {
         for s in 0..3 {
             let ring = format!("/steps/{i}/rings/{s}");
-            let less = scaled(&good, &format!("{ring}/hi"), 99, 100);
+            let less = scaled(&good, &format!("{ring}/hi"), 9999, 10000);
             assert_eq!(verdict(&less), ("rings", Some(i)), "{ring}");
             // Above what is reached, but below hi.
-            let more = scaled(&good, &format!("{ring}/lo"), 1001, 1000);
+            let more = scaled(&good, &format!("{ring}/lo"), 100_001, 100_000);
             assert_eq!(verdict(&more), ("rings", Some(i)), "{ring}");
             let other = with(&good, &format!("{ring}/at/point"), json!(["1/5", "1/7"]));
             assert_eq!(verdict(&other), ("rings", Some(i)), "{ring}");
             let claim = format!("/claim/modes/{i}/distances/{s}");
-            let less = scaled(&good, &format!("{claim}/1"), 999, 1000);
+            let less = scaled(&good, &format!("{claim}/1"), 999_995, 1_000_000);
             assert_eq!(verdict(&less), ("rings", Some(i)), "{claim}");
             let more = scaled(&good, &format!("{claim}/0"), 1_000_003, 1_000_000);
             assert_eq!(verdict(&more), ("rings", Some(i)), "{claim}");
         }
         let near = format!("/steps/{i}/near");
-        let less = scaled(&good, &format!("{near}/hi"), 99, 100);
+        let less = scaled(&good, &format!("{near}/hi"), 9999, 10000);
         assert_eq!(verdict(&less), ("rings", Some(i)), "{near}");
-        let more = scaled(&good, &format!("{near}/lo"), 1001, 1000);
+        let more = scaled(&good, &format!("{near}/lo"), 100_001, 100_000);
         assert_eq!(verdict(&more), ("rings", Some(i)), "{near}");
         assert_eq!(verdict(&with(&good, &format!("{near}/at"), Value::Null)), ("rings", Some(i)));
         // Of the splines without frequency nothing is larger than the tail.
@@ -204,7 +207,7 @@ fn a_generalised_mode_needs_the_other() {
     assert_eq!(verdict(&short), ("rings", Some(1)));
     // Without what the other adds, the claim does not follow: mu_1 is (D_0 of the mode)/16 + |kappa| (D_0 of the other).
     for (m, i) in [(1, 0), (1, 1), (2, 0), (2, 1)] {
-        let (p, q) = if i == 0 { (1_000_003, 1_000_000) } else { (999, 1000) };
+        let (p, q) = if i == 0 { (1_000_003, 1_000_000) } else { (999_995, 1_000_000) };
         let changed = scaled(&good, &format!("/claim/modes/1/distances/{m}/{i}"), p, q);
         assert_eq!(verdict(&changed), ("rings", Some(1)), "{m} {i}");
     }

@@ -185,8 +185,8 @@ fn mode(case: &Case, Name(family, frequency): Name, webs: usize) -> (Mode, Optio
     (Mode { lambda, kappa, levels }, chain)
 }
 
-/// A facet: the corners, and the values there.
-type Facet = ([Point; 3], [Point; 3]);
+/// A facet: its place, the corners, and the values there.
+type Facet = (Triangle, [Point; 3], [Point; 3]);
 
 fn facets(case: &Case, [chi, e]: [&Web; 2], j: usize, radius: i64) -> Vec<Facet> {
     let limit = case.against == "limit";
@@ -200,12 +200,12 @@ fn facets(case: &Case, [chi, e]: [&Web; 2], j: usize, radius: i64) -> Vec<Facet>
         }
     };
     let (z, y) = (vertices(chi), vertices(e));
-    triangles(0, radius).into_iter().map(|t| (corners(t).map(&z), corners(t).map(&y))).collect()
+    triangles(0, radius).into_iter().map(|t| (t, corners(t).map(&z), corners(t).map(&y))).collect()
 }
 
 /// |e - E|, where there is a facet.
 fn gap(facets: &[Facet], z: Point, e: Point) -> Option<f64> {
-    facets.iter().find_map(|(corners, values)| {
+    facets.iter().find_map(|(_, corners, values)| {
         let b = barycentric(*corners, z);
         let inside = b.iter().all(|x| *x > -1e-12);
         inside.then(|| size((0..3).fold(e, |d, i| add(d, -b[i], values[i]))))
@@ -293,6 +293,12 @@ fn search(case: &Case, name: Name, slack: f64, depth: usize) -> Found {
             let z = patch(&chi.levels[t], sector, triangle);
             let y = patch(&e.levels[t], sector, triangle);
             let f = chain.as_ref().map(|f| patch(&f.levels[t], sector, triangle));
+            // Of the same level, those not far away.
+            let near = |facet: &&Facet| {
+                let apart = |i: usize| (facet.0[i] - triangle[i]).abs() <= 2;
+                level == 0 || ring > 0 || (apart(0) && apart(1))
+            };
+            let near: Vec<_> = facets.iter().filter(near).copied().collect();
             let scale = |x: Point, c: f64| x.map(|x| x * c);
             let r = ring as i32;
             let value = |v: f64, w: f64| {
@@ -302,7 +308,7 @@ fn search(case: &Case, name: Name, slack: f64, depth: usize) -> Found {
                     let share = f64::from(r) * e.lambda.powi(r - 1) * e.kappa;
                     y = add(y, share, self::value(f, v, w));
                 }
-                gap(facets, z, y)
+                gap(&near, z, y)
             };
             let (found, point) = maximum(&value);
             if found > best.value {
@@ -332,7 +338,7 @@ fn search(case: &Case, name: Name, slack: f64, depth: usize) -> Found {
         over(1, &all[..1], j, r)
     });
     let best = best.reduce(larger).unwrap();
-    let centre = facets(case, [&chi.levels[0], &e.levels[0]], 0, 2)[0].1[0][0].abs();
+    let centre = facets(case, [&chi.levels[0], &e.levels[0]], 0, 2)[0].2[0][0].abs();
     let near = best.value.max(centre);
     let at = if centre >= best.value { Value::Null } else { spot(&best, true) };
     let (lo, hi) = (text(near * (1.0 - 1e-6)), text(near * (1.0 + slack)));
