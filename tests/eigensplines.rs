@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use Against::{Control, Limit};
+use ModeFamily::{Between, Ray, Ring as OfRing};
 use num_traits::ToPrimitive;
 use serde_json::Value;
 use subcert::scalar::{Field, Interval, Rational, Ring};
@@ -12,8 +14,6 @@ use subcert::spectrum::eigenspline::lattice::Levels;
 use subcert::spectrum::eigenspline::mode::{Label, Link, ModeFamily, Net, Sector, nets};
 use subcert::spectrum::eigenspline::{Against, distances, distances_of, table};
 use subcert::spectrum::eigenspline::{ModeDistances, certificates::eigensplines};
-use Against::{Control, Limit};
-use ModeFamily::{Between, Ray, Ring as OfRing};
 
 fn float(x: &Rational) -> f64 {
     x.to_f64().expect("a finite number")
@@ -31,28 +31,130 @@ type Sampled = (u32, ModeFamily, Option<u32>, Against, &'static [f64]);
 /// An independent float computation: dense sampling of S_n and search for the nearest maximum, by
 /// another program in another language that knew neither this code nor its format. Seven digits.
 const SAMPLED: [Sampled; 22] = [
-    (3, OfRing, Some(0), Control, &[1.958333, 0.4895833, 0.1223958]),
-    (3, OfRing, Some(0), Limit, &[0.984375, 0.2176423, 0.06544909]),
+    (
+        3,
+        OfRing,
+        Some(0),
+        Control,
+        &[1.958333, 0.4895833, 0.1223958],
+    ),
+    (
+        3,
+        OfRing,
+        Some(0),
+        Limit,
+        &[0.984375, 0.2176423, 0.06544909],
+    ),
     (3, Ray, Some(0), Control, &[0.08333333, 0.03125, 0.0078125]),
     (3, Ray, Some(0), Limit, &[0.09375, 0.01835626, 0.005087554]),
-    (3, Between, None, Limit, &[0.1166667, 0.02604643, 0.007244696]),
-    (4, OfRing, Some(2), Control, &[0.253423, 0.09602533, 0.02792955]),
-    (4, OfRing, Some(2), Limit, &[0.2702433, 0.1111629, 0.03259797]),
-    (4, OfRing, Some(0), Control, &[11.64931, 3.025716, 0.7675971]),
+    (
+        3,
+        Between,
+        None,
+        Limit,
+        &[0.1166667, 0.02604643, 0.007244696],
+    ),
+    (
+        4,
+        OfRing,
+        Some(2),
+        Control,
+        &[0.253423, 0.09602533, 0.02792955],
+    ),
+    (
+        4,
+        OfRing,
+        Some(2),
+        Limit,
+        &[0.2702433, 0.1111629, 0.03259797],
+    ),
+    (
+        4,
+        OfRing,
+        Some(0),
+        Control,
+        &[11.64931, 3.025716, 0.7675971],
+    ),
     (4, OfRing, Some(0), Limit, &[7.728849, 1.79069, 0.4841196]),
-    (4, Ray, None, Control, &[0.08333333, 0.02170139, 0.005562298]),
-    (5, OfRing, Some(2), Control, &[0.4925514, 0.1300602, 0.03336809]),
-    (5, OfRing, Some(0), Limit, &[1.076476, 0.2971261, 0.07724225]),
-    (5, Between, None, Control, &[0.1666667, 0.04299222, 0.0109112]),
-    (7, OfRing, Some(2), Control, &[0.2288161, 0.07307696, 0.02333857]),
+    (
+        4,
+        Ray,
+        None,
+        Control,
+        &[0.08333333, 0.02170139, 0.005562298],
+    ),
+    (
+        5,
+        OfRing,
+        Some(2),
+        Control,
+        &[0.4925514, 0.1300602, 0.03336809],
+    ),
+    (
+        5,
+        OfRing,
+        Some(0),
+        Limit,
+        &[1.076476, 0.2971261, 0.07724225],
+    ),
+    (
+        5,
+        Between,
+        None,
+        Control,
+        &[0.1666667, 0.04299222, 0.0109112],
+    ),
+    (
+        7,
+        OfRing,
+        Some(2),
+        Control,
+        &[0.2288161, 0.07307696, 0.02333857],
+    ),
     (7, OfRing, Some(3), Limit, &[0.757133, 0.19711, 0.05069784]),
     (7, Ray, None, Limit, &[0.04152731, 0.01863663, 0.006174764]),
-    (8, OfRing, Some(2), Control, &[0.2023137, 0.07586764, 0.02845036]),
-    (8, OfRing, Some(4), Limit, &[0.4325276, 0.1507157, 0.04365047]),
-    (8, Between, None, Control, &[0.1666667, 0.04276503, 0.01081571]),
-    (12, OfRing, Some(5), Control, &[0.6896734, 0.1872682, 0.04917924]),
-    (12, OfRing, Some(0), Control, &[0.733654, 0.2566907, 0.08981087]),
-    (12, Ray, None, Control, &[0.07644697, 0.01752113, 0.004530887]),
+    (
+        8,
+        OfRing,
+        Some(2),
+        Control,
+        &[0.2023137, 0.07586764, 0.02845036],
+    ),
+    (
+        8,
+        OfRing,
+        Some(4),
+        Limit,
+        &[0.4325276, 0.1507157, 0.04365047],
+    ),
+    (
+        8,
+        Between,
+        None,
+        Control,
+        &[0.1666667, 0.04276503, 0.01081571],
+    ),
+    (
+        12,
+        OfRing,
+        Some(5),
+        Control,
+        &[0.6896734, 0.1872682, 0.04917924],
+    ),
+    (
+        12,
+        OfRing,
+        Some(0),
+        Control,
+        &[0.733654, 0.2566907, 0.08981087],
+    ),
+    (
+        12,
+        Ray,
+        None,
+        Control,
+        &[0.07644697, 0.01752113, 0.004530887],
+    ),
 ];
 
 #[test]
@@ -79,7 +181,10 @@ fn distances_agree_with_dense_sampling() {
 /// With Warren's weights only the mode of frequency 0 changes (the same source).
 #[test]
 fn warren_changes_one_mode() {
-    let known = [(Control, 1.066667, 0.2745562), (Limit, 0.7916667, 0.1994765)];
+    let known = [
+        (Control, 1.066667, 0.2745562),
+        (Limit, 0.7916667, 0.1994765),
+    ];
     for (against, first, second) in known {
         let all = distances(Warren, 4, against, 1).expect("distances");
         let original = distances(Original, 4, against, 1).expect("distances");
@@ -105,7 +210,10 @@ fn regular_valence_by_hand() {
             let mode = find(&all, OfRing, Some(frequency));
             for (m, [lo, hi]) in mode.distances.iter().enumerate() {
                 let exact = <Rational as Field>::ratio(p, q << (2 * m));
-                assert!(*lo <= exact && exact <= *hi, "{frequency}, {m}: {lo} .. {hi}");
+                assert!(
+                    *lo <= exact && exact <= *hi,
+                    "{frequency}, {m}: {lo} .. {hi}"
+                );
             }
         }
     }
@@ -187,7 +295,11 @@ fn any_number_of_threads_finds_the_same() {
 /// What is written is verified by the checker; with a bound moved to the other, it is not.
 #[test]
 fn fresh_certificates_are_verified() {
-    for (weights, n, against) in [(Original, 3, Limit), (Original, 7, Control), (Warren, 5, Limit)] {
+    for (weights, n, against) in [
+        (Original, 3, Limit),
+        (Original, 7, Control),
+        (Warren, 5, Limit),
+    ] {
         let certificate = eigensplines(weights, n, against, 2).expect("distances");
         let mut text = Vec::new();
         certificate.write(&mut text).expect("memory");
@@ -196,7 +308,11 @@ fn fresh_certificates_are_verified() {
         let mut faulty: Value = serde_json::from_slice(&text).expect("JSON");
         let ring = &mut faulty["steps"][0]["rings"][1];
         ring["hi"] = ring["lo"].clone();
-        assert!(subcert_check::check(faulty.to_string().as_bytes()).outcome.is_err());
+        assert!(
+            subcert_check::check(faulty.to_string().as_bytes())
+                .outcome
+                .is_err()
+        );
     }
 }
 
@@ -249,7 +365,10 @@ fn compare(mode: &Value, weights: LoopWeights, n: u32, against: Against) -> usiz
         };
         let entry = bounds.iter().find(same).expect("an entry").bound;
         let exact = Rational::from_float(entry).expect("a finite number");
-        assert!(exact >= hi && entry <= float(&hi) * 1.000_001, "{family} {n}: {entry}, {hi}");
+        assert!(
+            exact >= hi && entry <= float(&hi) * 1.000_001,
+            "{family} {n}: {entry}, {hi}"
+        );
     }
     distances.len()
 }

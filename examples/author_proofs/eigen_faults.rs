@@ -138,7 +138,10 @@ fn distances(folder: &Path) -> Result<(), Box<dyn Error>> {
         &generalised,
         &[("rings-chain-not-earlier", |c| {
             c["steps"].as_array_mut().expect("steps").swap(0, 1);
-            c["claim"]["modes"].as_array_mut().expect("modes").swap(0, 1);
+            c["claim"]["modes"]
+                .as_array_mut()
+                .expect("modes")
+                .swap(0, 1);
         })],
     )
 }

@@ -19,7 +19,11 @@ use super::text;
 const LAST_LEVEL: usize = 6;
 
 /// What the names of these families' files have in them.
-const FAMILIES: [&str; 3] = ["-eigensplines-", "-characteristic-map-", "-centre-distance-"];
+const FAMILIES: [&str; 3] = [
+    "-eigensplines-",
+    "-characteristic-map-",
+    "-centre-distance-",
+];
 
 /// Takes the files of these families away.
 pub fn remove(folder: &Path) -> std::io::Result<()> {
@@ -71,7 +75,9 @@ fn distances(
     let found = own_modes(weights, n, against, LAST_LEVEL);
     let found = found.ok_or_else(|| format!("no distances of {weights}, {against}, n = {n}"))?;
     write(folder, &certificate(weights, n, against, &found))?;
-    let lines = found.iter().map(|mode| table::line(weights, n, against, mode));
+    let lines = found
+        .iter()
+        .map(|mode| table::line(weights, n, against, mode));
     Ok(lines.collect())
 }
 
@@ -87,7 +93,9 @@ fn least_splits(scheme: Scheme, n: u32) -> Result<Certificate, Box<dyn Error>> {
 }
 
 fn write(folder: &Path, certificate: &Certificate) -> Result<(), Box<dyn Error>> {
-    let name = certificate.file_name().ok_or("a certificate without a name")?;
+    let name = certificate
+        .file_name()
+        .ok_or("a certificate without a name")?;
     println!("{name}");
     fs::write(folder.join(name), text(certificate)?)?;
     Ok(())

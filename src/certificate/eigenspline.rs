@@ -103,20 +103,29 @@ impl EigensplineClaim {
     /// `loop-original-eigensplines-control-n07.json`.
     pub fn file_name(&self) -> String {
         let (weights, against) = (&self.weights, &self.against);
-        format!("loop-{weights}-eigensplines-{against}-n{:02}.json", self.valence)
+        format!(
+            "loop-{weights}-eigensplines-{against}-n{:02}.json",
+            self.valence
+        )
     }
 }
 
 impl CharacteristicMapClaim {
     /// `loop-characteristic-map-n07.json`.
     pub fn file_name(&self) -> String {
-        format!("{}-characteristic-map-n{:02}.json", self.scheme, self.valence)
+        format!(
+            "{}-characteristic-map-n{:02}.json",
+            self.scheme, self.valence
+        )
     }
 }
 
 impl CentreDistanceClaim {
     /// `loop-warren-centre-distance-n04.json`.
     pub fn file_name(&self) -> String {
-        format!("loop-{}-centre-distance-n{:02}.json", self.weights, self.valence)
+        format!(
+            "loop-{}-centre-distance-n{:02}.json",
+            self.weights, self.valence
+        )
     }
 }

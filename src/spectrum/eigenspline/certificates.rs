@@ -3,7 +3,7 @@
 use super::mode::{CHAINED, Label, ModeFamily, Net, nets};
 use super::{Against, Enclosed, ModeDistances, SplinePoint, distances_of};
 use crate::certificate::{
-    Certificate, CentreDistanceClaim, CharacteristicMapClaim, Claim, EigensplineClaim, ModeClaim,
+    CentreDistanceClaim, Certificate, CharacteristicMapClaim, Claim, EigensplineClaim, ModeClaim,
     NearStep, RingStep, SplineAt, Step,
 };
 use crate::scalar::{Field, Interval, Rational, cosine};
@@ -48,7 +48,9 @@ pub fn own_modes(
     levels: usize,
 ) -> Option<Vec<ModeDistances>> {
     let (chi, modes) = nets::<Interval>(weights, n)?;
-    let kept = modes.into_iter().filter(|net| is_own(weights, n, net.label));
+    let kept = modes
+        .into_iter()
+        .filter(|net| is_own(weights, n, net.label));
     let kept: Vec<Net<Interval>> = kept.collect();
     distances_of(n, &chi, &kept, against, levels)
 }

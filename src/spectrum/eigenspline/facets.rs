@@ -181,7 +181,11 @@ impl Patch {
         candidates: Vec<Facet>,
     ) -> Self {
         let root = Part::new(chi, &candidates, &[0], true);
-        Patch { triangle, candidates, root }
+        Patch {
+            triangle,
+            candidates,
+            root,
+        }
     }
 
     /// At the χ_i, the affine function with the given values at the corners of the first candidate.
@@ -195,11 +199,7 @@ impl Patch {
     }
 
     /// The patch with the Bernstein coefficients χ_i.
-    pub fn new(
-        triangle: Triangle,
-        chi: QuarticTriangle<Point>,
-        candidates: Vec<Facet>,
-    ) -> Self {
+    pub fn new(triangle: Triangle, chi: QuarticTriangle<Point>, candidates: Vec<Facet>) -> Self {
         let all: Vec<usize> = (0..candidates.len()).collect();
         let root = Part::new(chi, &candidates, &all, false);
         Patch {
