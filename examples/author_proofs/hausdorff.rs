@@ -1,6 +1,8 @@
 //! Certificates of Hausdorff distances: saddles that fool the vertex heuristic, and small closed meshes.
 
 use std::error::Error;
+use std::fs;
+use std::path::Path;
 
 use subcert::certificate::Certificate;
 use subcert::distance::certify::{Boundary, Eigen, Flat, Request, certify};
@@ -16,6 +18,14 @@ type Named = (String, Certificate);
 
 /// Relative gap of the saddles.
 const GAP: f64 = 2e-3;
+
+/// Writes all of them.
+pub fn write_all(folder: &Path) -> Result<(), Box<dyn Error>> {
+    for (name, certificate) in all()? {
+        fs::write(folder.join(name), super::text(&certificate)?)?;
+    }
+    Ok(())
+}
 
 /// All of them.
 pub fn all() -> Result<Vec<Named>, Box<dyn Error>> {

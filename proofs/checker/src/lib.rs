@@ -14,7 +14,7 @@
 //! | `proof`, `region`, `cells`, `covering` | 4: the rules |
 //! | `hausdorff`, `fixed` | 10: Hausdorff distances; intervals on a grid |
 //! | `inequality`, `violation`, `mesh` | 7: inequalities that hold, and violated ones |
-//! | `fixed`, `complex`, `eigen`, `sector`, `piece` | 9: intervals on a fixed grid; eigenvectors of the two-ring; their lattices and pieces of surface |
+//! | `fixed`, `complex`, `eigen`, `sector`, `piece`, `tilt` | 9: intervals on a fixed grid; eigenvectors of the two-ring; their lattices and pieces of surface |
 //! | `embedding`, `centre`, `eigensplines` | 9: the rules |
 
 #![forbid(unsafe_code)]
@@ -55,6 +55,7 @@ mod sector;
 mod space;
 mod spline_words;
 mod target;
+mod tilt;
 mod violation;
 mod word;
 mod words;

@@ -11,6 +11,8 @@
 //! part that barely overlaps a facet, or that has its maximum on an edge, where E has a kink, need not be
 //! cut into small pieces. Floats choose the ν; any choice is sound.
 
+use std::array::from_fn;
+
 use super::facets::Covering;
 use super::maximum::{Value, difference, magnitude};
 use crate::bernstein::triangle::QuarticTriangle;
@@ -19,36 +21,44 @@ use crate::scalar::Interval;
 /// How many edges are tried, one after the other.
 const ROUNDS: usize = 2;
 
+/// The number of coefficients.
+const COUNT: usize = 15;
+
 /// An upper bound of |e - E| over what of a part lies over the facet, E having the given values at its
-/// corners.
-pub fn bound_over(covering: &Covering, spline: &QuarticTriangle<Value>, facet: &[Value; 3]) -> f64 {
-    let coefficients = spline.0.iter().zip(&covering.weights);
-    let mut bounds: Vec<f64> = coefficients
-        .map(|(e, b)| magnitude(&difference(e, b, facet)).sup())
-        .collect();
+/// corners; no effort is made to bring it below `enough`.
+pub fn bound_over(
+    covering: &Covering,
+    spline: &QuarticTriangle<Value>,
+    facet: &[Value; 3],
+    enough: f64,
+) -> f64 {
+    let weights = &covering.weights;
+    let mut bounds: [f64; COUNT] =
+        from_fn(|i| magnitude(&difference(&spline.0[i], &weights[i], facet)).sup());
     let mut most = largest(&bounds);
     for _ in 0..ROUNDS {
-        let slope = |corner: usize| move |row: &[Interval; 3]| row[corner].sup();
+        if most <= enough {
+            break;
+        }
         let proposals = [0, 1, 2].map(|corner| {
-            let slopes: Vec<f64> = covering.weights.iter().map(slope(corner)).collect();
+            let slopes: [f64; COUNT] = from_fn(|i| weights[i][corner].sup());
             let (nu, least) = lowest(&bounds, &slopes);
             (least, nu, slopes)
         });
         let best = proposals.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((_, nu, slopes)) = best else { break };
-        if nu == 0.0 {
+        let Some((_, nu, slopes)) = best.filter(|(_, nu, _)| *nu > 0.0) else {
             break;
-        }
-        // ν times the upper end of b: an upper bound, as ν >= 0.
-        let sum = |(a, b): (&f64, &f64)| {
-            (Interval::point(*a) + Interval::point(nu) * Interval::point(*b)).sup()
         };
-        let tried: Vec<f64> = bounds.iter().zip(&slopes).map(sum).collect();
-        let lower = largest(&tried);
+        // ν times the upper end of b: an upper bound, as ν >= 0.
+        let tilted: [f64; COUNT] = from_fn(|i| {
+            let tilt = Interval::point(nu) * Interval::point(slopes[i]);
+            (Interval::point(bounds[i]) + tilt).sup()
+        });
+        let lower = largest(&tilted);
         if lower >= most {
             break;
         }
-        (bounds, most) = (tried, lower);
+        (bounds, most) = (tilted, lower);
     }
     most.max(0.0)
 }

@@ -139,7 +139,7 @@ impl<'a> Search<'a> {
         depth: u32,
     ) {
         let facets = &self.starts[start].facets;
-        let bound = bound(part, &spline, facets);
+        let bound = bound(part, &spline, facets, self.best);
         for (value, corner) in estimates(part, &spline, facets).into_iter().zip(corners) {
             if value > self.best {
                 self.best = value;
@@ -196,11 +196,12 @@ pub fn magnitude(z: &Value) -> Interval {
 }
 
 /// An upper bound of |e - E| over a part.
-fn bound(part: &Part, spline: &QuarticTriangle<Value>, facets: &[[Value; 3]]) -> f64 {
+fn bound(part: &Part, spline: &QuarticTriangle<Value>, facets: &[[Value; 3]], enough: f64) -> f64 {
     let Some(covering) = &part.covering else {
         return f64::INFINITY;
     };
-    let over = |covering: &Covering| bound_over(covering, spline, &facets[covering.candidate]);
+    let over =
+        |covering: &Covering| bound_over(covering, spline, &facets[covering.candidate], enough);
     covering.iter().map(over).fold(0.0, f64::max)
 }
 
