@@ -1,0 +1,196 @@
+//! Eigenvalues: elements of Q(2 cos 2π/n), or roots of a quadratic polynomial over that field.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use crate::scalar::{Cyclotomic, Field, Interval, Rational, Ring};
+
+use super::represent::Represent;
+
+/// A real eigenvalue.
+#[derive(Clone, Debug)]
+pub enum Eigenvalue {
+    /// An element of Q(2 cos 2π/n).
+    Exact(Cyclotomic),
+    /// A root of a quadratic polynomial over that field.
+    Root(Root),
+}
+
+/// A root of `x^2 - trace x + determinant`, whose discriminant is positive.
+#[derive(Clone, Debug)]
+pub struct Root {
+    /// The sum of both roots.
+    pub trace: Cyclotomic,
+    /// Their product.
+    pub determinant: Cyclotomic,
+    /// Whether this is the larger root.
+    pub larger: bool,
+}
+
+impl Root {
+    /// `x^2 - trace x + determinant`.
+    pub fn polynomial(&self, x: &Cyclotomic) -> Cyclotomic {
+        x.clone() * &(x.clone() - &self.trace) + &self.determinant
+    }
+
+    /// `trace^2 - 4 determinant`.
+    pub fn discriminant(&self) -> Cyclotomic {
+        discriminant(&self.trace, &self.determinant)
+    }
+
+    /// An enclosure, by the quadratic formula; proved by the exact signs of the polynomial at its
+    /// ends, which differ: the ends separate this root from the other.
+    ///
+    /// # Panics
+    /// If the signs don't bear the formula out, which would be a fault of the interval arithmetic.
+    pub fn enclose(&self) -> Interval {
+        let half = Interval::ratio(1, 2);
+        let root = self.discriminant().enclose().sqrt();
+        let root = root.expect("the discriminant is positive");
+        let sum = self.trace.enclose();
+        let enclosure = if self.larger { sum + root } else { sum - root } * half;
+        let sign = |end: f64| {
+            let end = Rational::from_float(end).expect("a bounded enclosure");
+            self.polynomial(&Cyclotomic::from_rational(&end)).signum()
+        };
+        let outward = if self.larger { 1 } else { -1 };
+        assert!(
+            sign(enclosure.sup()) == outward && sign(enclosure.inf()) == -outward,
+            "{self:?} is not separated by {enclosure}"
+        );
+        enclosure
+    }
+
+    /// Whether x, a root of the polynomial, is this one.
+    fn is(&self, x: &Cyclotomic) -> bool {
+        let twice = x.clone() * &Cyclotomic::from_integer(2);
+        twice.compare(&self.trace).is_gt() == self.larger
+    }
+
+    /// The order of this root and x.
+    fn compare_exact(&self, x: &Cyclotomic) -> Ordering {
+        let twice = x.clone() * &Cyclotomic::from_integer(2);
+        let beyond_middle = twice.compare(&self.trace);
+        // The sign of the polynomial: positive outside of the roots.
+        match (self.polynomial(x).signum(), self.larger) {
+            (0, _) if self.is(x) => Ordering::Equal,
+            (0, larger) if larger => Ordering::Greater,
+            (0, _) => Ordering::Less,
+            (1, _) => beyond_middle.reverse(),
+            (_, true) => Ordering::Greater,
+            (_, false) => Ordering::Less,
+        }
+    }
+
+    /// The number that two different polynomials have as a root in common, if there is one:
+    /// `x^2 = t x - d = t' x - d'` gives x = (d - d') / (t - t').
+    fn common(&self, other: &Root) -> Option<Cyclotomic> {
+        let trace = self.trace.clone() - &other.trace;
+        let determinant = self.determinant.clone() - &other.determinant;
+        let x = determinant.checked_div(&trace)?;
+        (self.polynomial(&x).signum() == 0).then_some(x)
+    }
+
+    fn compare_root(&self, other: &Root) -> Ordering {
+        if self.trace == other.trace && self.determinant == other.determinant {
+            return self.larger.cmp(&other.larger);
+        }
+        if let Some(x) = self.common(other) {
+            if self.is(&x) && other.is(&x) {
+                return Ordering::Equal;
+            }
+        }
+        // Different numbers: a rational between them is found by halving.
+        let (mut low, mut high) = {
+            let hull = self.enclose().hull(other.enclose());
+            let end = |x| Rational::from_float(x).expect("a bounded enclosure");
+            (end(hull.inf()), end(hull.sup()))
+        };
+        loop {
+            let middle = (low.clone() + &high) / &<Rational as Ring>::from_integer(2);
+            let at = Cyclotomic::from_rational(&middle);
+            match (self.compare_exact(&at), other.compare_exact(&at)) {
+                (Ordering::Less, Ordering::Less) => high = middle,
+                (Ordering::Greater, Ordering::Greater) => low = middle,
+                (mine, its) => return mine.cmp(&its),
+            }
+        }
+    }
+}
+
+/// `trace^2 - 4 determinant`.
+pub(super) fn discriminant(trace: &Cyclotomic, determinant: &Cyclotomic) -> Cyclotomic {
+    trace.clone() * trace - &(determinant.clone() * &Cyclotomic::from_integer(4))
+}
+
+impl Eigenvalue {
+    /// The exact value, if it lies in Q(2 cos 2π/n).
+    pub fn exact(&self) -> Option<&Cyclotomic> {
+        match self {
+            Eigenvalue::Exact(x) => Some(x),
+            Eigenvalue::Root(_) => None,
+        }
+    }
+
+    /// A proved enclosure: neighbouring floats for an exact value, a few units for a root.
+    pub fn enclose(&self) -> Interval {
+        match self {
+            Eigenvalue::Exact(x) => x.enclose(),
+            Eigenvalue::Root(root) => root.enclose(),
+        }
+    }
+
+    /// The value in another arithmetic.
+    pub fn represent<S: Represent>(&self) -> Option<S> {
+        match self {
+            Eigenvalue::Exact(x) => S::of_exact(x),
+            Eigenvalue::Root(root) => S::of_enclosure(&root.enclose()),
+        }
+    }
+
+    /// The order, decided exactly.
+    pub fn compare(&self, other: &Self) -> Ordering {
+        match (self, other) {
+            (Eigenvalue::Exact(a), Eigenvalue::Exact(b)) => a.compare(b),
+            (Eigenvalue::Root(a), Eigenvalue::Exact(b)) => a.compare_exact(b),
+            (Eigenvalue::Exact(a), Eigenvalue::Root(b)) => b.compare_exact(a).reverse(),
+            (Eigenvalue::Root(a), Eigenvalue::Root(b)) => a.compare_root(b),
+        }
+    }
+
+    /// The order of the absolute values, decided exactly.
+    pub fn compare_magnitude(&self, other: &Self) -> Ordering {
+        self.magnitude().compare(&other.magnitude())
+    }
+
+    fn magnitude(&self) -> Self {
+        let zero = Eigenvalue::Exact(Cyclotomic::from_integer(0));
+        if self.compare(&zero).is_ge() {
+            return self.clone();
+        }
+        match self {
+            Eigenvalue::Exact(x) => Eigenvalue::Exact(-x),
+            // The roots of x^2 + t x + d are the negatives.
+            Eigenvalue::Root(root) => Eigenvalue::Root(Root {
+                trace: -&root.trace,
+                determinant: root.determinant.clone(),
+                larger: !root.larger,
+            }),
+        }
+    }
+}
+
+impl fmt::Display for Eigenvalue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Eigenvalue::Exact(x) => write!(f, "{x}"),
+            Eigenvalue::Root(root) => write!(
+                f,
+                "{} root of x^2 - t x + d, t = {}, d = {}",
+                if root.larger { "larger" } else { "smaller" },
+                root.trace,
+                root.determinant
+            ),
+        }
+    }
+}
