@@ -1,0 +1,531 @@
+//! From meshes to an enclosure of their Hausdorff distance, in their own unit.
+//!
+//! Both meshes are brought into one frame ([`crate::distance::frame`]); refinement and limit positions
+//! carry their error bounds. With its own mesh a surface is first matched over the same parameters
+//! ([`super::own`]); what that leaves, or everything with another mesh, goes to [`super::search`].
+
+use std::time::Instant;
+
+use super::bvh::Tree;
+use super::facets::FacetSet;
+use super::metric::error_bound;
+use super::own::{Candidate, Leftover, OfMesh, OfSurface, OwnMesh, Role, facet_slack};
+use super::search::{Closeness, Enclosure, Open, Search, Start};
+use super::shape::Shape;
+use super::surface::SurfaceSet;
+use super::{Facets, Goal, HOLDERS, HausdorffError, Holder, Measurement, Request, Side, Witness};
+use crate::distance::frame::{Frame, printed_above, printed_below};
+use crate::distance::measure::{MeasureError, check_mesh};
+use crate::distance::model::{
+    Against, CatmullClarkModel, DooSabinModel, LoopModel, MeshView, Model,
+};
+use crate::mesh::{Mesh, Point, Topology};
+use crate::patch::quad_net::CatmullClarkRules;
+use crate::patch::quarter_net::DooSabinRules;
+use crate::patch::rounding::Extent;
+use crate::patch::triangle_net::LoopRules;
+use crate::patch::{Facet, Float, Lane};
+use crate::refine::enclosure::largest_coordinate;
+use crate::refine::{Refiner, refine_topology, topology};
+use crate::scheme::Scheme;
+
+/// Points that are looked at first.
+const FIRST_LOOK: usize = 256;
+/// Points that are looked at after each block of faces.
+const LOOK: usize = 32;
+/// Items whose corners are looked at first where there is no matching.
+const STRIDE: u32 = 4096;
+
+type Progress<'a> = &'a (dyn Fn(u32, u32) + Sync);
+
+/// A mesh in the frame; the exact positions are within `radius` per coordinate.
+struct Placed<'a> {
+    topology: &'a Topology,
+    positions: &'a [Point<f64>],
+    radius: f64,
+}
+
+/// What both sides share.
+struct Scene<'a> {
+    mesh: Placed<'a>,
+    facets: FacetSet,
+    largest: f64,
+    error: f64,
+    closeness: Closeness,
+    progress: Progress<'a>,
+}
+
+/// Encloses a Hausdorff distance between the limit surface of `mesh` and its own level-K mesh, or
+/// `other` if given.
+///
+/// The claim is about the `f64` coordinates. Without a budget the result depends on nothing but the
+/// arguments; with one, the enclosure still holds, but its ends depend on the time there was.
+///
+/// # Errors
+/// If and only if the scheme does not apply to the mesh, its surface is empty, a mesh has no face or a
+/// coordinate that is not finite, or Doo-Sabin's own mesh is to be cut into triangles.
+///
+/// ```
+/// use subcert::distance::hausdorff::{Facets, Goal, Request, Side, measure};
+/// use subcert::distance::model::Against;
+/// use subcert::mesh::io::{Format, parse};
+/// use subcert::scheme::{CornerRule, Scheme};
+///
+/// // A cube under Catmull-Clark: the corner (1, 1, 1) is the furthest point of the cube, its nearest
+/// // point of the surface is its limit 5/9 (1, 1, 1) by symmetry: 4/9 sqrt 3 = 0.7698...
+/// let text = b"v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n\
+///     f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+/// let mesh = parse(text, Format::Obj, "cube")?.mesh;
+/// let request = Request {
+///     scheme: Scheme::CatmullClark,
+///     corner: CornerRule::Smooth,
+///     level: 0,
+///     against: Against::Control,
+///     side: Side::MeshToSurface,
+///     facets: Facets::Bilinear,
+///     goal: Goal::default(),
+/// };
+/// let found = measure(&mesh, None, &request, &|_, _| ())?;
+/// assert!(found.met && found.lo <= 4.0 / 3.0_f64.sqrt() / 3.0 && 4.0 / 3.0_f64.sqrt() / 3.0 <= found.hi);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn measure(
+    mesh: &Mesh,
+    other: Option<&Mesh>,
+    request: &Request,
+    progress: Progress<'_>,
+) -> Result<Measurement, HausdorffError> {
+    let start = Instant::now();
+    topology::check(request.scheme, &mesh.topology).map_err(MeasureError::from)?;
+    check(mesh)?;
+    other.map_or(Ok(()), check)?;
+    let polygons = mesh.topology.arity() != Some(3);
+    if request.scheme == Scheme::DooSabin
+        && request.facets == Facets::Triangles
+        && polygons
+        && other.is_none()
+    {
+        return Err(HausdorffError::Quarters);
+    }
+    let interior = |v: u32| !mesh.topology.is_boundary_vertex(v) && mesh.topology.valence(v) > 0;
+    if request.scheme == Scheme::DooSabin && !(0..mesh.topology.vertex_count()).any(interior) {
+        return Err(MeasureError::EmptySurface.into());
+    }
+    let frame = Frame::covering(&[mesh, other.unwrap_or(mesh)], true);
+    let (mut level, mut radius) = frame.enter(&mesh.positions);
+    let mut refiner = Refiner::new(request.scheme, request.corner);
+    let mut refined = None;
+    let mut next = Vec::new();
+    let levels = if other.is_some() { 0 } else { request.level };
+    for _ in 0..levels {
+        let coarse = refined.as_ref().unwrap_or(&mesh.topology);
+        radius = refiner
+            .enclose_into(coarse, &level, radius, &mut next)
+            .map_err(MeasureError::from)?;
+        std::mem::swap(&mut level, &mut next);
+        refined = Some(refine_topology(request.scheme, coarse).map_err(MeasureError::from)?);
+    }
+    let topology = refined.as_ref().unwrap_or(&mesh.topology);
+    let surface = Placed {
+        topology,
+        positions: &level,
+        radius,
+    };
+    let mut target = Vec::new();
+    let compared = match other {
+        Some(other) => {
+            let (positions, radius) = frame.enter(&other.positions);
+            target = positions;
+            Placed {
+                topology: &other.topology,
+                positions: &target,
+                radius,
+            }
+        }
+        None if request.against == Against::Limit => {
+            let radius = refiner
+                .enclose_limits_into(topology, &level, radius, &mut target)
+                .map_err(MeasureError::from)?;
+            Placed {
+                topology,
+                positions: &target,
+                radius,
+            }
+        }
+        None => Placed {
+            topology,
+            positions: &level,
+            radius,
+        },
+    };
+    let matched = other.is_none() && (request.facets == Facets::Bilinear || !polygons);
+    let unit = Unit {
+        frame: &frame,
+        first: mesh,
+        faces: topology.face_count(),
+        mesh_faces: compared.topology.face_count(),
+        start,
+        goal: request.goal,
+    };
+    let scene = unit.scene(compared, &surface, request.facets, progress);
+    let view = MeshView::<Float> {
+        topology,
+        positions: &level,
+        compared: Facet::Nothing,
+    };
+    let irrational = "f64 represents every mask";
+    let side = request.side;
+    let found = match request.scheme {
+        Scheme::Loop(weights) => {
+            let rules = LoopRules::new(weights, request.corner, topology).expect(irrational);
+            let model = LoopModel { mesh: view, rules };
+            scene.sides(&model, &surface, side, matched)
+        }
+        Scheme::CatmullClark => {
+            let rules = CatmullClarkRules::new(request.corner, topology);
+            let model = CatmullClarkModel { mesh: view, rules };
+            scene.sides(&model, &surface, side, matched)
+        }
+        Scheme::DooSabin => {
+            let rules = DooSabinRules::new(topology).expect(irrational);
+            let model = DooSabinModel { mesh: view, rules };
+            scene.sides(&model, &surface, side, matched)
+        }
+    };
+    Ok(unit.report(found, &scene))
+}
+
+/// Encloses a Hausdorff distance between two meshes; `mesh` is in the surface's place.
+///
+/// # Errors
+/// If and only if a mesh has no face or a coordinate that is not finite.
+pub fn mesh_to_mesh(
+    mesh: &Mesh,
+    other: &Mesh,
+    side: Side,
+    facets: Facets,
+    goal: Goal,
+    progress: Progress<'_>,
+) -> Result<Measurement, HausdorffError> {
+    let start = Instant::now();
+    check(mesh)?;
+    check(other)?;
+    let frame = Frame::covering(&[mesh, other], true);
+    let (first, radius) = frame.enter(&mesh.positions);
+    let (second, other_radius) = frame.enter(&other.positions);
+    let surface = Placed {
+        topology: &mesh.topology,
+        positions: &first,
+        radius,
+    };
+    let compared = Placed {
+        topology: &other.topology,
+        positions: &second,
+        radius: other_radius,
+    };
+    let unit = Unit {
+        frame: &frame,
+        first: mesh,
+        faces: mesh.topology.face_count(),
+        mesh_faces: other.topology.face_count(),
+        start,
+        goal,
+    };
+    let scene = unit.scene(compared, &surface, facets, progress);
+    let set = FacetSet::new(&mesh.topology, &first, facets, radius, scene.largest);
+    let found = scene.pair(side, &set);
+    Ok(unit.report(found, &scene))
+}
+
+fn check(mesh: &Mesh) -> Result<(), HausdorffError> {
+    if mesh.topology.face_count() == 0 {
+        return Err(HausdorffError::NoFace);
+    }
+    Ok(check_mesh(mesh)?)
+}
+
+/// One or two sides, with what is known of each.
+type Sides = Vec<(Side, Enclosure)>;
+
+impl Scene<'_> {
+    /// The sides asked for, one after the other: the second need not look at what is below the
+    /// first's lower bound.
+    fn in_turn(&self, side: Side, measure: impl Fn(Side, &mut Enclosure)) -> Sides {
+        let list: &[Side] = match side {
+            Side::Both => &[Side::SurfaceToMesh, Side::MeshToSurface],
+            Side::SurfaceToMesh => &[Side::SurfaceToMesh],
+            Side::MeshToSurface => &[Side::MeshToSurface],
+        };
+        let mut floor = 0.0;
+        let one = |side: &Side| {
+            let mut found = Enclosure {
+                lo: floor,
+                ..Enclosure::default()
+            };
+            measure(*side, &mut found);
+            floor = found.lo;
+            (*side, found)
+        };
+        list.iter().map(one).collect()
+    }
+
+    /// Surface and mesh.
+    fn sides<M: Model<Float>>(
+        &self,
+        model: &M,
+        surface: &Placed<'_>,
+        side: Side,
+        matched: bool,
+    ) -> Sides {
+        let set = SurfaceSet::new(
+            model,
+            surface.topology,
+            surface.positions,
+            surface.radius,
+            self.largest,
+            self.error,
+        );
+        if !matched {
+            return self.pair(side, &set);
+        }
+        let sides = (0..self.mesh.topology.face_count())
+            .map(|face| self.mesh.topology.face_size(face))
+            .max()
+            .unwrap_or(3);
+        let own = |role: Role| OwnMesh {
+            surface: &set,
+            model,
+            topology: self.mesh.topology,
+            positions: self.mesh.positions,
+            slack: facet_slack(sides, self.mesh.radius, self.largest),
+            error: self.error,
+            role,
+        };
+        self.in_turn(side, |side, found| match side {
+            Side::MeshToSurface => {
+                let tree = Tree::new(&set.boxes());
+                let search = self.search(&self.facets, &set, &tree);
+                self.matched::<M, OfMesh, _, _>(&own(Role::Mesh), &search, found);
+            }
+            _ => {
+                let tree = Tree::new(&self.facets.boxes());
+                let search = self.search(&set, &self.facets, &tree);
+                self.matched::<M, OfSurface, _, _>(&own(Role::Surface), &search, found);
+            }
+        })
+    }
+
+    fn search<'s, A: Shape, B: Shape>(
+        &self,
+        source: &'s A,
+        target: &'s B,
+        tree: &'s Tree,
+    ) -> Search<'s, A, B> {
+        Search {
+            source,
+            target,
+            tree,
+            error: self.error,
+            closeness: self.closeness,
+        }
+    }
+
+    /// One side, with matching over the same parameters.
+    fn matched<M, L, A, B>(
+        &self,
+        own: &OwnMesh<'_, M>,
+        search: &Search<'_, A, B>,
+        found: &mut Enclosure,
+    ) where
+        M: Model<Float>,
+        L: Leftover<M>,
+        A: Shape<Piece = L::Piece>,
+        B: Shape,
+    {
+        let look = |found: &mut Enclosure, mut far: Vec<Candidate>, count: usize| {
+            far.retain(|c| c.value > found.lo);
+            far.sort_by(|a, b| b.value.total_cmp(&a.value));
+            far.truncate(count);
+            let points: Vec<_> = far.iter().map(|c| (c.point, c.slack, c.face)).collect();
+            for sample in search.samples(&points, found.lo) {
+                found.include(sample);
+            }
+        };
+        look(found, own.glance::<L>(), FIRST_LOOK);
+        let count = self.mesh.topology.face_count();
+        let left = own.settle::<L>(
+            &self.closeness,
+            found,
+            |found, far| look(found, far, LOOK),
+            &|done| (self.progress)(done, count),
+        );
+        search.run(left, found, &|_| ());
+    }
+
+    /// Two sets without common parameters; `set` is in the surface's place.
+    fn pair<A: Shape>(&self, side: Side, set: &A) -> Sides {
+        self.in_turn(side, |side, found| match side {
+            Side::MeshToSurface => self.unmatched(&self.facets, set, found),
+            _ => self.unmatched(set, &self.facets, found),
+        })
+    }
+
+    fn unmatched<A: Shape, B: Shape>(&self, source: &A, target: &B, found: &mut Enclosure) {
+        let tree = Tree::new(&target.boxes());
+        let search = self.search(source, target, &tree);
+        let count = source.item_count();
+        let step = count.div_ceil(STRIDE).max(1);
+        let (mut scratch, mut pieces, mut points) = (A::Scratch::default(), Vec::new(), Vec::new());
+        for item in (0..count).step_by(step as usize) {
+            pieces.clear();
+            source.open(item, &mut scratch, &mut pieces);
+            points.extend(pieces.first().map(|piece| {
+                let outline = source.outline(piece);
+                (outline.corners[0], outline.slack, source.face_of(item))
+            }));
+        }
+        for sample in search.samples(&points, found.lo) {
+            found.include(sample);
+        }
+        // No two points of the frame are further apart than 2 sqrt(3) L < 4 L.
+        let open = (0..count).map(|item| Open {
+            bound: 4.0 * self.largest,
+            face: source.face_of(item),
+            start: Start::Item(item),
+        });
+        let progress = |left: usize| {
+            (self.progress)(count.saturating_sub(left as u32), count);
+        };
+        search.run(open.collect(), found, &progress);
+    }
+}
+
+fn coordinates(p: &Lane) -> [f64; 3] {
+    [p.0[0], p.0[1], p.0[2]]
+}
+
+/// What the frame's numbers mean.
+struct Unit<'a> {
+    frame: &'a Frame,
+    first: &'a Mesh,
+    faces: u32,
+    mesh_faces: u32,
+    start: Instant,
+    goal: Goal,
+}
+
+impl Unit<'_> {
+    fn scene<'s>(
+        &self,
+        mesh: Placed<'s>,
+        surface: &Placed<'_>,
+        facets: Facets,
+        progress: Progress<'s>,
+    ) -> Scene<'s> {
+        let coordinate = |placed: &Placed<'_>| {
+            largest_coordinate(placed.positions).unwrap_or(0.0) * (1.0 + 1e-9) + placed.radius
+        };
+        let largest = coordinate(&mesh).max(coordinate(surface));
+        let error = error_bound(largest);
+        let set = FacetSet::new(mesh.topology, mesh.positions, facets, mesh.radius, largest);
+        let arity = |placed: &Placed<'_>| {
+            let topology = placed.topology;
+            let valence = (0..topology.vertex_count())
+                .map(|v| topology.valence(v))
+                .max();
+            let sides = (0..topology.face_count())
+                .map(|f| topology.face_size(f))
+                .max();
+            valence.unwrap_or(0).max(sides.unwrap_or(0)) + sides.unwrap_or(0)
+        };
+        let extent = Extent {
+            size: 0.1 * largest,
+            arity: arity(surface),
+            mesh_radius: surface.radius,
+        };
+        let noise = 16.0 * (error + set.slack() + extent.radius(8, 8, largest));
+        Scene {
+            mesh,
+            facets: set,
+            largest,
+            error,
+            closeness: Closeness {
+                absolute: self.goal.diagonal_gap * self.diagonal(),
+                relative: self.goal.gap,
+                noise,
+                deadline: self.goal.budget.map(|budget| self.start + budget),
+            },
+            progress,
+        }
+    }
+
+    /// The diagonal of the first mesh's box, in the frame's unit.
+    fn diagonal(&self) -> f64 {
+        let (low, high) = Frame::corners(&[self.first]);
+        let scaled = |i: usize| self.frame.shrink(high[i]) - self.frame.shrink(low[i]);
+        (scaled(0).powi(2) + scaled(1).powi(2) + scaled(2).powi(2)).sqrt()
+    }
+
+    fn report(&self, sides: Sides, scene: &Scene<'_>) -> Measurement {
+        let largest = |key: fn(&Enclosure) -> f64| {
+            sides
+                .iter()
+                .map(|(_, found)| key(found))
+                .fold(0.0, f64::max)
+        };
+        let [lo, hi] = [largest(|e| e.lo), largest(|e| e.hi.max(e.lo))];
+        let witness = sides.iter().filter_map(|(side, found)| {
+            let sample = found.sample.filter(|s| s.lower >= lo)?;
+            Some(Witness {
+                side: *side,
+                point: self.frame.leave(coordinates(&sample.point)),
+                foot: self.frame.leave(coordinates(&sample.foot)),
+                face: sample.face,
+                foot_face: sample.foot_face,
+            })
+        });
+        let witness = witness.last();
+        let met = hi - lo <= scene.closeness.absolute + scene.closeness.relative * hi;
+        let [out_lo, out_hi] = self.frame.lengths([lo, hi]);
+        let [lo_out, hi_out] = [printed_below(out_lo), printed_above(out_hi)];
+        let [_, noise] = self.frame.lengths([0.0, scene.closeness.noise]);
+        let rounding_level = hi <= scene.closeness.noise;
+        let holders = self.holders(&sides, lo);
+        Measurement {
+            lo: lo_out,
+            hi: hi_out,
+            met: met || rounding_level,
+            rounding_level,
+            noise,
+            diagonal: self.frame.lengths([0.0, self.diagonal()])[1],
+            witness,
+            holders,
+            faces: self.faces,
+            mesh_faces: self.mesh_faces,
+            cells: sides.iter().map(|(_, found)| found.cells).sum(),
+            probes: sides.iter().map(|(_, found)| found.probes).sum(),
+        }
+    }
+
+    fn holders(&self, sides: &Sides, lo: f64) -> Vec<Holder> {
+        let mut holders = Vec::new();
+        for (side, found) in sides {
+            let mut list: Vec<(u32, f64)> = found
+                .holders
+                .iter()
+                .copied()
+                .filter(|(_, hi)| *hi > lo)
+                .collect();
+            list.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)));
+            list.dedup_by_key(|(face, _)| *face);
+            holders.extend(list.into_iter().map(|(face, hi)| Holder {
+                side: *side,
+                face,
+                hi: printed_above(self.frame.lengths([0.0, hi])[1]),
+            }));
+        }
+        holders.sort_by(|a, b| b.hi.total_cmp(&a.hi));
+        holders.truncate(HOLDERS);
+        holders
+    }
+}
