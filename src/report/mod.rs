@@ -7,3 +7,4 @@ pub mod measurement;
 pub mod paper;
 pub mod papers;
 pub mod plots;
+pub mod spectrum;

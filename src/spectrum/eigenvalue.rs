@@ -6,6 +6,7 @@ use std::fmt;
 use crate::scalar::{Cyclotomic, Field, Interval, Rational, Ring};
 
 use super::represent::Represent;
+use super::square::prime_against_square;
 
 /// A real eigenvalue.
 #[derive(Clone, Debug)]
@@ -36,6 +37,12 @@ impl Root {
     /// `trace^2 - 4 determinant`.
     pub fn discriminant(&self) -> Cyclotomic {
         discriminant(&self.trace, &self.determinant)
+    }
+
+    /// A prime that proves the root not to lie in Q(2 cos 2π/n), the trace and the determinant lying
+    /// there: see [`super::square`]. `None` if none below its limit does.
+    pub fn irrational_by(&self, n: u32) -> Option<u64> {
+        prime_against_square(&self.discriminant(), n)
     }
 
     /// An enclosure, by the quadratic formula; proved by the exact signs of the polynomial at its
@@ -186,10 +193,10 @@ impl fmt::Display for Eigenvalue {
             Eigenvalue::Exact(x) => write!(f, "{x}"),
             Eigenvalue::Root(root) => write!(
                 f,
-                "{} root of x^2 - t x + d, t = {}, d = {}",
+                "{} root of x^2 - t x + d, d = {}, t = {}",
                 if root.larger { "larger" } else { "smaller" },
-                root.trace,
-                root.determinant
+                root.determinant,
+                root.trace
             ),
         }
     }

@@ -8,8 +8,9 @@
 //! functional l(u) of A: the second ring doesn't act on the first.
 //!
 //! **Eigenvectors of M'** = (p q / r s): λ = p, if it is 1 x 1. Else λ runs through the roots of
-//! `x^2 - (p + s) x + (p s - q r)`, with the right eigenvector (1, (λ - p) / q) and the left one (1,
-//! (λ - p) / r); if q = r = 0, the unit vectors. Coordinates are exact, so "is 0" is decided.
+//! `x^2 - (p + s) x + (p s - q r)`, with the right eigenvector (1, (λ - p) / q) and the left one
+//! (λ - s, q), whose product is 2 λ - p - s: plus or minus the root of the discriminant. If q = r = 0,
+//! they are the unit vectors. Coordinates are exact, so "is 0" is decided.
 //!
 //! **Extension.** Let v be a net with these values and 0 on the second ring, r the values of A v there,
 //! and `r = Σ ρ_m u_m` in the local modes of [`super::outer`], μ_m their eigenvalues. Then
@@ -151,8 +152,8 @@ fn eigenvalues(
         return (0..2).map(|q| (entry(q), Branch::Unit(q))).collect();
     }
     assert!(
-        !first[1].is_zero() && !second[0].is_zero(),
-        "edges and faces act on each other"
+        !first[1].is_zero(),
+        "faces act on edges if edges act on faces"
     );
     let trace = real(first[0].clone() + &second[1]);
     let determinant =
@@ -265,14 +266,12 @@ fn extend<S: Field>(
     let (u, l) = match branch {
         Branch::Unit(kind) => (unit(kind), unit(kind)),
         Branch::Generic => {
-            let over = |z: &Phase<S>| {
-                let excess = lambda.clone() - &matrix[0][0];
-                vec![
-                    Phase::real(S::one()),
-                    frequency.product(&excess, &frequency.inverse(z)),
-                ]
-            };
-            (over(&matrix[0][1]), over(&matrix[1][0]))
+            let over_edge = lambda.clone() - &matrix[0][0];
+            let over_face = lambda - &matrix[1][1];
+            let across = &matrix[0][1];
+            let face = frequency.product(&over_edge, &frequency.inverse(across));
+            let edge = Phase::real(S::one());
+            (vec![edge, face], vec![over_face, across.clone()])
         }
     };
     let pairing =
