@@ -7,8 +7,10 @@ use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
 
+mod centre;
 mod violation;
 
+pub use centre::CentreDistance;
 pub use violation::{Form, MeshViolation, NetInequality, NetViolation};
 
 /// A certificate file.
@@ -41,6 +43,8 @@ pub enum Claim {
     Net(NetViolation),
     /// A closed mesh that violates one.
     Mesh(MeshViolation),
+    /// Distances of the centres of all levels.
+    Centre(CentreDistance),
 }
 
 /// A constant lies between lo and hi.
@@ -193,6 +197,8 @@ pub enum Step {
         /// As in a lemma.
         tail: Vec<[Vec<usize>; 2]>,
     },
+    /// Distances of centres: the signs of the third coordinate. Nothing to add.
+    Sign {},
     /// The conclusion for coefficients.
     Weight {
         /// The basis.
@@ -297,6 +303,7 @@ impl Certificate {
     pub fn file_name(&self) -> Option<String> {
         match &self.claim {
             Claim::Constant(claim) => Some(claim.file_name()),
+            Claim::Centre(claim) => Some(claim.file_name()),
             Claim::Inequality(_) | Claim::Net(_) | Claim::Mesh(_) => None,
         }
     }

@@ -7,7 +7,8 @@ use super::heuristic::displacement;
 use super::isolation::{NotApplicable, gather, is_extraordinary, isolated, obstacle};
 use super::kernel::{Kernel, ModeWeights, Norms, Sum, decayed};
 use super::regular;
-use super::table::{self, is_inside};
+use super::inside::stays_inside;
+use super::table;
 use crate::bound::Against;
 use crate::mesh::{Mesh, Point, Topology};
 use crate::refine::enclosure::largest_coordinate;
@@ -297,7 +298,7 @@ impl Prepared {
     /// A vertex whose characteristic map leaves the limit facets over S_n, where those beyond them are not
     /// known to be the mesh's own.
     fn outside(&self) -> Option<&Decomposed> {
-        let known = |at: &&Decomposed| !(at.extended || is_inside(at.valence));
+        let known = |at: &&Decomposed| !(at.extended || stays_inside(at.valence) == Some(true));
         self.vertices.iter().find(known)
     }
 }

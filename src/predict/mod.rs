@@ -29,10 +29,12 @@
 //! | [`kernel`] | `\|p_i\|` and the sums over a two-ring, in `f64` with a rounding bound |
 //! | [`regular`] | faces without an extraordinary vertex |
 //! | [`heuristic`] | distances of vertices to their limits |
+//! | [`inside`] | whether chi stays over known facets between limit points |
 //! | [`table`] | the distances μ |
 
 pub mod estimators;
 pub mod heuristic;
+pub mod inside;
 pub mod isolation;
 pub mod kernel;
 pub mod regular;

@@ -1,7 +1,5 @@
 //! Table 1 redone: the nine tabulated estimates, the heuristic and the certified distance on meshes.
 
-use rayon::prelude::*;
-
 use super::experiment::{Experiment, LOCAL, Model, Row};
 use super::meshes::StandIn;
 use crate::bound::Against;
@@ -18,17 +16,6 @@ pub const WEIGHTS: LoopWeights = LoopWeights::Original;
 
 /// Relative gap of measured distances.
 const GAP: f64 = 1e-3;
-
-/// An estimate that is made, and what is known of it.
-#[derive(Clone, Debug)]
-pub struct Made {
-    /// The estimate.
-    pub bound: f64,
-    /// Whether it is proved to be a bound of its own distance.
-    pub safe: bool,
-    /// Why, or why not.
-    pub why: String,
-}
 
 /// A model redone.
 #[derive(Clone, Debug)]
@@ -131,12 +118,6 @@ fn fill(
         }
     }
     Ok(())
-}
-
-/// All meshes; the same for any number of threads.
-pub fn examine(models: &[StandIn], last: u32) -> Vec<Redone> {
-    let each = models.par_iter().with_max_len(1);
-    each.map(|model| of_mesh(model, last)).collect()
 }
 
 /// The numbers.
