@@ -12,17 +12,16 @@ use super::metric::error_bound;
 use super::own::{Candidate, Leftover, OfMesh, OfSurface, OwnMesh, Role, facet_slack};
 use super::search::{Closeness, Enclosure, Open, Search, Start};
 use super::shape::Shape;
-use super::surface::SurfaceSet;
+use super::surface::{SurfaceSet, surface_slack};
 use super::{Facets, Goal, HOLDERS, HausdorffError, Holder, Measurement, Request, Side, Witness};
 use crate::distance::frame::{Frame, printed_above, printed_below};
 use crate::distance::measure::{MeasureError, check_mesh};
 use crate::distance::model::{
-    Against, CatmullClarkModel, DooSabinModel, LoopModel, MeshView, Model,
+    Against, CatmullClarkModel, DooSabinModel, Gathered, LoopModel, MeshView, Model,
 };
 use crate::mesh::{Mesh, Point, Topology};
 use crate::patch::quad_net::CatmullClarkRules;
 use crate::patch::quarter_net::DooSabinRules;
-use crate::patch::rounding::Extent;
 use crate::patch::triangle_net::LoopRules;
 use crate::patch::{Facet, Float, Lane};
 use crate::refine::enclosure::largest_coordinate;
@@ -404,6 +403,28 @@ fn coordinates(p: &Lane) -> [f64; 3] {
     [p.0[0], p.0[1], p.0[2]]
 }
 
+/// A bound of what every face of a mesh is gathered with: from a corner of a face to any vertex of a
+/// face round another of its corners there are at most as many edges as the largest face has.
+fn extent(placed: &Placed<'_>, largest: f64) -> Gathered {
+    let topology = placed.topology;
+    let faces = 0..topology.face_count();
+    let sides = faces.map(|f| topology.face_size(f)).max().unwrap_or(3);
+    let vertices = 0..topology.vertex_count();
+    let valence = vertices.map(|v| topology.valence(v)).max().unwrap_or(0);
+    let length = |h: u32| {
+        let [a, b] = [topology.origin(h), topology.target(h)];
+        let [a, b] = [a, b].map(|v| &placed.positions[v as usize].0);
+        (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max)
+    };
+    let longest = (0..topology.halfedge_count())
+        .map(length)
+        .fold(0.0, f64::max);
+    Gathered {
+        size: (f64::from(sides) * longest).min(2.0 * largest),
+        arity: valence.max(sides) + sides,
+    }
+}
+
 /// What the frame's numbers mean.
 struct Unit<'a> {
     frame: &'a Frame,
@@ -428,22 +449,9 @@ impl Unit<'_> {
         let largest = coordinate(&mesh).max(coordinate(surface));
         let error = error_bound(largest);
         let set = FacetSet::new(mesh.topology, mesh.positions, facets, mesh.radius, largest);
-        let arity = |placed: &Placed<'_>| {
-            let topology = placed.topology;
-            let valence = (0..topology.vertex_count())
-                .map(|v| topology.valence(v))
-                .max();
-            let sides = (0..topology.face_count())
-                .map(|f| topology.face_size(f))
-                .max();
-            valence.unwrap_or(0).max(sides.unwrap_or(0)) + sides.unwrap_or(0)
-        };
-        let extent = Extent {
-            size: 0.1 * largest,
-            arity: arity(surface),
-            mesh_radius: surface.radius,
-        };
-        let noise = 16.0 * (error + set.slack() + extent.radius(8, 8, largest));
+        // A bound at which every piece is closed sooner or later.
+        let slack = surface_slack(extent(surface, largest), surface.radius, largest);
+        let noise = 8.0 * (error + set.slack() + slack);
         Scene {
             mesh,
             facets: set,

@@ -42,14 +42,6 @@ impl Outline {
         }
     }
 
-    /// The largest squared side.
-    pub fn extent(&self) -> f64 {
-        let c = self.corners();
-        (0..c.len())
-            .map(|i| (c[i] - &c[(i + 1) % c.len()]).norm_squared())
-            .fold(0.0, f64::max)
-    }
-
     /// The largest distance of a corner to one triangle: by convexity a bound for all of I.
     #[inline]
     pub fn reach(&self, triangle: &[Lane; 3]) -> (f64, usize) {

@@ -112,15 +112,8 @@ impl<'a, M: Model<Float>> SurfaceSet<'a, M> {
         count::<M>() == 3
     }
 
-    /// Bound of the error of every point computed on a face, as a vector.
     fn slack(&self, gathered: Gathered) -> f64 {
-        let extent = Extent {
-            size: gathered.size,
-            arity: gathered.arity,
-            mesh_radius: self.radius,
-        };
-        let relative = extent.radius(DEEPEST + 1, DEEPEST, 4.0 * gathered.size);
-        1.7321 * (relative + 2.0 * UNIT_ROUNDOFF * self.largest)
+        surface_slack(gathered, self.radius, self.largest)
     }
 
     fn patch(
@@ -203,6 +196,19 @@ impl<'a, M: Model<Float>> SurfaceSet<'a, M> {
             out.push(self.patch(patch, base, slack, corners, depth));
         }
     }
+}
+
+/// Bound of the error of every point computed on a face, as a vector: of all local steps and halvings
+/// there can be, and of the move to the face's place (two roundings of at most L).
+pub(super) fn surface_slack(gathered: Gathered, radius: f64, largest: f64) -> f64 {
+    let extent = Extent {
+        size: gathered.size,
+        arity: gathered.arity,
+        mesh_radius: radius,
+    };
+    // Coefficients are within sqrt(3) of the size of the net.
+    let relative = extent.radius(DEEPEST + 1, DEEPEST, 2.0 * gathered.size);
+    1.7321 * (relative + 2.0 * UNIT_ROUNDOFF * largest)
 }
 
 /// Number of corners of a piece.
