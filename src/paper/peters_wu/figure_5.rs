@@ -29,8 +29,6 @@ const FREQUENCY: u32 = 2;
 /// What is found for a saddle at a level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saddle {
-    /// The amplitude t.
-    pub amplitude: f64,
     /// The level of the facets.
     pub level: u32,
     /// A lower bound of the distance from the surface over S_n to the facets.
@@ -63,11 +61,20 @@ impl Saddle {
     /// For a valence, a frequency, an amplitude and a level of the facets.
     pub fn of(n: u32, frequency: u32, amplitude: f64, level: u32) -> Option<Self> {
         let mesh = mesh(n, frequency, amplitude)?;
+        Self::of_net(n, &mesh.positions, level, SAMPLING)
+    }
+
+    /// The same for any net of a two-ring, sampled at the limit points so many levels below that of the facets.
+    ///
+    /// # Panics
+    /// If the net has not 1 + 3n points.
+    pub fn of_net(n: u32, net: &[Point<f64>], level: u32, sampling: u32) -> Option<Self> {
+        let mesh = meshes::two_ring(n, net);
         let scheme = Scheme::Loop(WEIGHTS);
         let refined = |m| enclose_refined(scheme, CornerRule::Smooth, &mesh, m).ok();
         let (coarse, facets) = refined(level)?;
         let coarse_limits = enclose_limits(scheme, CornerRule::Smooth, &coarse, &facets).ok()?;
-        let (fine, points) = refined(SAMPLING + level)?;
+        let (fine, points) = refined(sampling + level)?;
         let limits = enclose_limits(scheme, CornerRule::Smooth, &fine, &points).ok()?;
         // Faces of S_n: the first of the four of a sector, and its descendants.
         let of_sector = |face: u32, m: u32| (face >> (2 * m)) % 4 == 0;
@@ -87,7 +94,7 @@ impl Saddle {
         let nearest = |p: &[f64; 3]| {
             corners.iter().map(|t| length(sub(*p, foot(p, t)))).fold(f64::INFINITY, f64::min)
         };
-        let sampled = vertices(&fine, SAMPLING + level);
+        let sampled = vertices(&fine, sampling + level);
         let best = sampled
             .iter()
             .map(|&v| (v, nearest(&limits.positions[v as usize].0)))
@@ -101,7 +108,6 @@ impl Saddle {
         }
         let off = 2.0 * (facets.radius + coarse_limits.radius) + 1e-12;
         Some(Saddle {
-            amplitude,
             level,
             distance: corners
                 .iter()
