@@ -26,7 +26,11 @@ fn read(folder: &str, name: &str) -> Option<Mesh> {
 fn own_mesh(c: &mut Criterion) {
     let cases = [
         ("examples/meshes", "bumpy_torus_tri.obj", LOOP),
-        ("examples/meshes", "block_with_handle.obj", Scheme::CatmullClark),
+        (
+            "examples/meshes",
+            "block_with_handle.obj",
+            Scheme::CatmullClark,
+        ),
         ("examples/meshes", "bumpy_torus_quads.obj", Scheme::DooSabin),
         ("../shared/meshes", "spot_tri.obj", LOOP),
         ("../shared/meshes", "spot_quads.obj", Scheme::CatmullClark),

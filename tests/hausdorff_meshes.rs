@@ -64,7 +64,10 @@ fn every_mesh_is_enclosed_below_the_parametric_distance() {
                     let found = measure(&mesh, None, &request, &|_, _| ()).expect("measured");
                     assert!(found.met && found.lo <= found.hi, "{what}: {found:?}");
                     let gap = found.hi - found.lo;
-                    assert!(gap <= 1e-4 * found.diagonal * (1.0 + 1e-12), "{what}: {found:?}");
+                    assert!(
+                        gap <= 1e-4 * found.diagonal * (1.0 + 1e-12),
+                        "{what}: {found:?}"
+                    );
                     assert!(found.lo <= whole.hi, "{what}: {found:?} {}", whole.hi);
                     found
                 };

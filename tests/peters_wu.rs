@@ -33,10 +33,16 @@ fn claim(id: &str) -> &'static Claim {
 fn the_printed_heuristic_is_below_in_seventeen_of_thirty() {
     let below = printed::TABLE_1.iter().flat_map(|model| {
         let [.., heuristic, measured] = model.rows;
-        heuristic.iter().zip(measured).map(|(h, d)| h.exact() < d.exact())
+        heuristic
+            .iter()
+            .zip(measured)
+            .map(|(h, d)| h.exact() < d.exact())
     });
     let below: Vec<bool> = below.collect();
-    assert_eq!((below.iter().filter(|b| **b).count(), below.len()), (17, 30));
+    assert_eq!(
+        (below.iter().filter(|b| **b).count(), below.len()),
+        (17, 30)
+    );
     let found = &claim("observation-2-half-printed").found;
     assert!(found.starts_with("17 of 30"), "{found}");
 }
@@ -56,7 +62,10 @@ fn the_printed_rows_of_tab_eigen_are_not_their_formula() {
 #[test]
 fn demon_needs_two_unnecessary_steps_too() {
     let found = &claim("observation-4-steps-printed").found;
-    assert!(found.contains("star: 2") && found.contains("demon: "), "{found}");
+    assert!(
+        found.contains("star: 2") && found.contains("demon: "),
+        "{found}"
+    );
     let demon = &printed::TABLE_1[1];
     let [approx_2, measured] = [demon.rows[5], demon.rows[10]];
     assert!(approx_2[1].exact() > measured[2].exact() && approx_2[2].exact() < measured[2].exact());
@@ -67,8 +76,14 @@ fn demon_needs_two_unnecessary_steps_too() {
 fn the_saddle_of_figure_5() {
     for (level, distance, heuristic) in [(0, 0.116806, 0.039552), (1, 0.054699, 0.017154)] {
         let found = Saddle::of(8, 2, 1.0, level).expect("a saddle");
-        assert!(found.distance < distance && found.distance > 0.97 * distance, "{found:?}");
-        assert!((found.heuristic / heuristic - 1.0).abs() < 1e-4, "{found:?}");
+        assert!(
+            found.distance < distance && found.distance > 0.97 * distance,
+            "{found:?}"
+        );
+        assert!(
+            (found.heuristic / heuristic - 1.0).abs() < 1e-4,
+            "{found:?}"
+        );
         assert!(!found.at_vertex);
     }
 }
@@ -109,14 +124,22 @@ fn request(m: u32, against: Against) -> Request {
         },
         side: Side::SurfaceToMesh,
         facets: Facets::Bilinear,
-        goal: Goal { diagonal_gap: 0.0, gap: 1e-2, budget: None },
+        goal: Goal {
+            diagonal_gap: 0.0,
+            gap: 1e-2,
+            budget: None,
+        },
     }
 }
 
 /// Estimates are never below certified distances: whole meshes, two-rings of valences 3..12, every level.
 fn check(mesh: &Mesh, levels: u32) {
     for m in 0..=levels {
-        for estimator in [Estimator::TabApprox, Estimator::TabInterp, Estimator::TabEigen] {
+        for estimator in [
+            Estimator::TabApprox,
+            Estimator::TabInterp,
+            Estimator::TabEigen,
+        ] {
             for j in 0..=m.min(2) {
                 let Ok(found) = estimate(mesh, WEIGHTS, estimator, j, m) else {
                     continue;
@@ -148,9 +171,14 @@ fn estimates_hold_on_the_stand_ins() {
 /// surface of the two-ring's open mesh has more, so the distance is taken from sampled limit points.
 fn largest_at_center(mesh: &Mesh, m: u32) -> f64 {
     let prepared = Prepared::new(mesh, WEIGHTS, 0).expect("isolated");
-    let bounds = prepared.face_bounds(Estimator::TabApprox, m, Sum::BySector).expect("tabulated");
+    let bounds = prepared
+        .face_bounds(Estimator::TabApprox, m, Sum::BySector)
+        .expect("tabulated");
     let topology = prepared.topology();
-    topology.fan(0).map(|h| bounds[topology.face_of(h) as usize]).fold(0.0, f64::max)
+    topology
+        .fan(0)
+        .map(|h| bounds[topology.face_of(h) as usize])
+        .fold(0.0, f64::max)
 }
 
 /// Corollary 3: for the characteristic map and one eigenspline of small amplitude the bound is nearly the distance.
@@ -163,7 +191,11 @@ fn the_bound_is_sharp_for_an_eigenspline() {
     let (_, members) = (modes.iter())
         .find(|(m, _)| m.family == Family::Ring && m.frequency == 2)
         .expect("a mode");
-    let heights: Vec<f64> = spectrum.net(members[0]).iter().map(|z| amplitude * z).collect();
+    let heights: Vec<f64> = spectrum
+        .net(members[0])
+        .iter()
+        .map(|z| amplitude * z)
+        .collect();
     let mesh = meshes::two_ring(8, &graph(8, &heights));
     let closed = closed(8, &graph(8, &heights));
     assert_eq!(closed.topology.valence(0), mesh.topology.valence(0));
@@ -178,7 +210,10 @@ fn the_bound_is_sharp_for_an_eigenspline() {
         let bound = sums.iter().fold(0.0_f64, |a, b| a.max(*b));
         assert!((bound / (amplitude * mu.ring[1]) - 1.0).abs() < 1e-9);
         let distance = Saddle::of(8, 2, amplitude, m).expect("a wave").distance;
-        assert!(distance <= bound && distance > 0.97 * bound, "m = {m}: {distance} {bound}");
+        assert!(
+            distance <= bound && distance > 0.97 * bound,
+            "m = {m}: {distance} {bound}"
+        );
         if m == 0 {
             assert!((mu.ring[1] / 0.2023137 - 1.0).abs() < 1e-3);
         }
@@ -195,20 +230,24 @@ fn coefficients_against_exact_ones() {
         let value = |i: usize, k: usize| ((i * i * (k + 3) + 5 * i * k) % 17) as i64 - 8;
         let exact: Vec<Vec<Rational>> = (0..3)
             .map(|k| {
-                let column: Vec<Rational> =
-                    (0..size).map(|i| <Rational as Ring>::from_integer(value(i, k))).collect();
+                let column: Vec<Rational> = (0..size)
+                    .map(|i| <Rational as Ring>::from_integer(value(i, k)))
+                    .collect();
                 spectrum.coefficients(&column)
             })
             .collect();
         let members = spectrum.members();
         let square = |member| {
             let i = members.iter().position(|m| *m == member).expect("a member");
-            (0..3).fold(Rational::ratio(0, 1), |s, k| s + exact[k][i].clone() * &exact[k][i])
+            (0..3).fold(Rational::ratio(0, 1), |s, k| {
+                s + exact[k][i].clone() * &exact[k][i]
+            })
         };
         // One mode at a time, by weights that are 1 there and 0 elsewhere; the plain sum.
         let kernel = Kernel::new(WEIGHTS, n).expect("a kernel");
-        let mut net: Vec<[f64; 3]> =
-            (0..size).map(|i| [0, 1, 2].map(|k| value(i, k) as f64)).collect();
+        let mut net: Vec<[f64; 3]> = (0..size)
+            .map(|i| [0, 1, 2].map(|k| value(i, k) as f64))
+            .collect();
         let (mut norms, mut sums) = (Norms::default(), Vec::new());
         kernel.norms(&mut net, 0.0, &mut norms);
         let mut weights = kernel.eigenvalues().clone();
@@ -234,8 +273,14 @@ fn coefficients_against_exact_ones() {
                 })
                 .sum();
             let found = sums[0];
-            assert!(found >= expected * (1.0 - 1e-15), "n = {n} {mode:?}: {found} {expected}");
-            assert!(found <= expected * (1.0 + 1e-11) + 1e-11, "n = {n} {mode:?}: {found} {expected}");
+            assert!(
+                found >= expected * (1.0 - 1e-15),
+                "n = {n} {mode:?}: {found} {expected}"
+            );
+            assert!(
+                found <= expected * (1.0 + 1e-11) + 1e-11,
+                "n = {n} {mode:?}: {found} {expected}"
+            );
         }
     }
 }
@@ -244,13 +289,25 @@ fn coefficients_against_exact_ones() {
 fn what_does_not_apply_is_said() {
     let star = meshes::star().mesh;
     let refused = estimate(&star, WEIGHTS, Estimator::TabApprox, 0, 0);
-    assert!(matches!(refused, Err(NotApplicable::NotIsolated { .. })), "{refused:?}");
+    assert!(
+        matches!(refused, Err(NotApplicable::NotIsolated { .. })),
+        "{refused:?}"
+    );
     assert!(estimate(&star, WEIGHTS, Estimator::TabApprox, 1, 1).is_ok());
     let refused = estimate(&star, WEIGHTS, Estimator::TabApprox, 2, 1);
-    assert_eq!(refused, Err(NotApplicable::Level { level: 1, local_steps: 2 }));
+    assert_eq!(
+        refused,
+        Err(NotApplicable::Level {
+            level: 1,
+            local_steps: 2
+        })
+    );
     let open = meshes::two_ring(5, &graph(5, &[0.0; 16]));
     let refused = estimate(&open, WEIGHTS, Estimator::TabApprox, 1, 1);
-    assert!(matches!(refused, Err(NotApplicable::Boundary { .. })), "{refused:?}");
+    assert!(
+        matches!(refused, Err(NotApplicable::Boundary { .. })),
+        "{refused:?}"
+    );
 }
 
 proptest! {

@@ -20,7 +20,12 @@ pub struct CentreDistance {
 impl CentreDistance {
     /// The name of the claim's file.
     pub fn file_name(&self) -> String {
-        let CentreDistance { scheme, weights, valence, kind } = self;
+        let CentreDistance {
+            scheme,
+            weights,
+            valence,
+            kind,
+        } = self;
         format!("{scheme}-{weights}-{kind}-n{valence:02}.json")
     }
 }

@@ -106,7 +106,11 @@ fn load(path: &Path) -> anyhow::Result<StandIn> {
     }
     subcert::refine::topology::check(Scheme::Loop(peters_wu::redone::WEIGHTS), &mesh.topology)
         .with_context(|| format!("{} has no Loop surface", path.display()))?;
-    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let name = path
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
     Ok(StandIn { name, mesh })
 }
 
@@ -130,7 +134,11 @@ impl Reproduce {
         if !self.mesh.is_empty() && !asked.iter().any(|paper| paper.name == PaperName::PetersWu) {
             bail!("--mesh is for peters-wu: the other papers are judged without meshes of yours");
         }
-        let meshes = self.mesh.iter().map(|path| load(path)).collect::<Result<Vec<_>, _>>()?;
+        let meshes = self
+            .mesh
+            .iter()
+            .map(|path| load(path))
+            .collect::<Result<Vec<_>, _>>()?;
         let progress = Progress::new();
         let tell = |done, count| progress.units(done, count, "valences");
         let reports: Vec<Report> = asked

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use super::heuristic::displacement;
+use super::inside::stays_inside;
 use super::isolation::{NotApplicable, gather, is_extraordinary, isolated, obstacle};
 use super::kernel::{Kernel, ModeWeights, Norms, Sum, decayed};
 use super::regular;
-use super::inside::stays_inside;
 use super::table;
 use crate::bound::Against;
 use crate::mesh::{Mesh, Point, Topology};
@@ -130,11 +130,7 @@ impl Prepared {
     ///
     /// # Errors
     /// As [`estimate`].
-    pub fn new(
-        mesh: &Mesh,
-        weights: LoopWeights,
-        local_steps: u32,
-    ) -> Result<Self, NotApplicable> {
+    pub fn new(mesh: &Mesh, weights: LoopWeights, local_steps: u32) -> Result<Self, NotApplicable> {
         let scheme = Scheme::Loop(weights);
         crate::refine::topology::check(scheme, &mesh.topology)?;
         let (exponent, mut positions, mut radius) = scaled(mesh)?;
@@ -232,9 +228,10 @@ impl Prepared {
         sum: Sum,
     ) -> Result<Vec<f64>, NotApplicable> {
         let local_steps = self.local_steps;
-        let level = m
-            .checked_sub(local_steps)
-            .ok_or(NotApplicable::Level { level: m, local_steps })?;
+        let level = m.checked_sub(local_steps).ok_or(NotApplicable::Level {
+            level: m,
+            local_steps,
+        })?;
         let factor = regular::factor(estimator.against(), level);
         let mut bounds: Vec<f64> = (self.second_differences.iter())
             .map(|m| self.outward(m * factor))

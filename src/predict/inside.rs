@@ -47,7 +47,8 @@ fn turning(n: u32) -> Option<bool> {
         let coordinate = |net: &Vec<Interval>| {
             let local = spectrum.ring().local_net(0, net);
             let extended = loop_scheme::extended_net::<Interval, Interval>(weights, n, &local)?;
-            let patch = box_spline::<Interval, Interval>(&loop_scheme::tile_net(n, tile, &extended));
+            let patch =
+                box_spline::<Interval, Interval>(&loop_scheme::tile_net(n, tile, &extended));
             // The edge from corner 1 to corner 2.
             Some([10, 11, 12, 13, 14].map(|i: usize| patch.0[i]))
         };

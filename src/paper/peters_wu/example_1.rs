@@ -126,8 +126,9 @@ pub fn overhang(n: u32) -> Option<Vec<f64>> {
         .map(|net| {
             let local = spectrum.ring().local_net(0, net);
             let extended = loop_scheme::extended_net::<Interval, Interval>(weights, n, &local)?;
-            let patch =
-                |tile| box_spline::<Interval, Interval>(&loop_scheme::tile_net(n, tile, &extended)).0;
+            let patch = |tile| {
+                box_spline::<Interval, Interval>(&loop_scheme::tile_net(n, tile, &extended)).0
+            };
             Some(Tile::ALL.map(patch))
         })
         .collect();
@@ -166,8 +167,17 @@ pub fn claims() -> (Vec<Claim>, Vec<Named>) {
     let [Some(warren), Some(original)] = examples else {
         return (Vec::new(), Vec::new());
     };
-    let files: Vec<Named> = [&warren, &original].into_iter().filter_map(Example::certificate).collect();
-    let names = |i: usize| files.get(i).map(|f| f.0.clone()).into_iter().collect::<Vec<_>>();
+    let files: Vec<Named> = [&warren, &original]
+        .into_iter()
+        .filter_map(Example::certificate)
+        .collect();
+    let names = |i: usize| {
+        files
+            .get(i)
+            .map(|f| f.0.clone())
+            .into_iter()
+            .collect::<Vec<_>>()
+    };
     let as_printed = |e: &Example| {
         let equal = e.lambda == rate
             && e.height == Cyclotomic::from_integer(centre)
@@ -181,7 +191,9 @@ pub fn claims() -> (Vec<Claim>, Vec<Named>) {
     let step = |e: &Example| {
         let nb = loop_scheme::ring_weight_sum::<Cyclotomic>(e.weights, n)?;
         let planar_rate = loop_modes::<Cyclotomic>(e.weights, n)?.1;
-        let (chi, _) = planar_rate.iter().find(|(m, _)| m.family == Family::Ring && m.frequency == 1)?;
+        let (chi, _) = planar_rate
+            .iter()
+            .find(|(m, _)| m.family == Family::Ring && m.frequency == 1)?;
         Some(
             Cyclotomic::one() - &nb == own
                 && nb == mean
@@ -209,7 +221,9 @@ pub fn claims() -> (Vec<Claim>, Vec<Named>) {
             .collect();
         rows.join(", ")
     });
-    let larger = drowned.as_ref().map(|rows| rows.iter().all(|(_, d, own)| d > own));
+    let larger = drowned
+        .as_ref()
+        .map(|rows| rows.iter().all(|(_, d, own)| d > own));
     let claims = vec![
         Claim {
             certificates: names(0),
@@ -307,8 +321,14 @@ mod tests {
     fn by_hand() {
         let of = |weights| Example::of(weights, 4).expect("an example");
         let (a, b) = (of(LoopWeights::Warren), of(LoopWeights::Original));
-        assert_eq!((text(&a.lambda), text(&a.height)), ("1/4".into(), "1".into()));
-        assert_eq!((text(&b.lambda), text(&b.height)), ("9/64".into(), "31/24".into()));
+        assert_eq!(
+            (text(&a.lambda), text(&a.height)),
+            ("1/4".into(), "1".into())
+        );
+        assert_eq!(
+            (text(&b.lambda), text(&b.height)),
+            ("9/64".into(), "31/24".into())
+        );
         assert_eq!((a.holds, b.holds), (Some(true), Some(true)));
     }
 }

@@ -189,7 +189,10 @@ mod tests {
         assert_eq!(median(values.iter()), Some(at(20, 35)));
         assert_eq!(
             median(values[..2].iter()),
-            Some(Enclosure::new(Rational::ratio(2, 1), Rational::ratio(51, 20)))
+            Some(Enclosure::new(
+                Rational::ratio(2, 1),
+                Rational::ratio(51, 20)
+            ))
         );
         assert_eq!(deviation(&values[0], &values[1]), at(19, 30));
         assert_eq!(deviation(&values[1], &values[2]), at(0, 20));

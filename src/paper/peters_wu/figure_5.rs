@@ -43,7 +43,8 @@ pub struct Saddle {
 pub fn mesh(n: u32, frequency: u32, amplitude: f64) -> Option<Mesh> {
     let (spectrum, modes) = loop_modes::<Interval>(WEIGHTS, n)?;
     let nets = |frequency: u32| {
-        let (_, members) = (modes.iter()).find(|(m, _)| m.family == Family::Ring && m.frequency == frequency)?;
+        let (_, members) =
+            (modes.iter()).find(|(m, _)| m.family == Family::Ring && m.frequency == frequency)?;
         Some(members.iter().map(|&m| spectrum.net(m)).collect::<Vec<_>>())
     };
     let (chi, wave) = (nets(1)?, nets(frequency)?);
@@ -92,7 +93,10 @@ impl Saddle {
             })
             .collect();
         let nearest = |p: &[f64; 3]| {
-            corners.iter().map(|t| length(sub(*p, foot(p, t)))).fold(f64::INFINITY, f64::min)
+            corners
+                .iter()
+                .map(|t| length(sub(*p, foot(p, t))))
+                .fold(f64::INFINITY, f64::min)
         };
         let sampled = vertices(&fine, sampling + level);
         let best = sampled
@@ -103,7 +107,10 @@ impl Saddle {
         let radius = limits.radius + facets.radius;
         let mut heuristic = 0.0_f64;
         for v in vertices(&coarse, level) {
-            let away = sub(facets.positions[v as usize].0, coarse_limits.positions[v as usize].0);
+            let away = sub(
+                facets.positions[v as usize].0,
+                coarse_limits.positions[v as usize].0,
+            );
             heuristic = heuristic.max(length(away));
         }
         let off = 2.0 * (facets.radius + coarse_limits.radius) + 1e-12;
@@ -164,7 +171,10 @@ fn foot(p: &[f64; 3], [a, b, c]: &[[f64; 3]; 3]) -> [f64; 3] {
 /// `min_i D·(p - x_i) / |D|` for the direction D from the foot point, less 2 radius (> √3 radius).
 fn certain_distance(p: &[f64; 3], triangle: &[[f64; 3]; 3], radius: f64) -> Option<f64> {
     let direction = sub(*p, foot(p, triangle)).map(Interval::point);
-    let size = direction.iter().fold(Interval::zero(), |s, d| s + d.sqr()).sqrt()?;
+    let size = direction
+        .iter()
+        .fold(Interval::zero(), |s, d| s + d.sqr())
+        .sqrt()?;
     let against = |x: &[f64; 3]| {
         (0..3).fold(Interval::zero(), |s, i| {
             s + direction[i] * (Interval::point(p[i]) - Interval::point(x[i]))
@@ -173,24 +183,33 @@ fn certain_distance(p: &[f64; 3], triangle: &[[f64; 3]; 3], radius: f64) -> Opti
     let least = triangle.iter().map(against).reduce(Interval::min)?;
     let distance = least / size - Interval::point(2.0 * radius);
     // A direction that separates nothing.
-    let positive = distance.decide(&Interval::zero()).is_some_and(|o| o.is_gt());
+    let positive = distance
+        .decide(&Interval::zero())
+        .is_some_and(|o| o.is_gt());
     Some(if positive { distance.inf() } else { 0.0 })
 }
 
 /// The claims.
 pub fn claims() -> Vec<Claim> {
     let (n, distance, at_vertex) = printed::FIGURE_5;
-    let levels: Option<Vec<Saddle>> = (0..=LEVELS).map(|m| Saddle::of(n, FREQUENCY, 1.0, m)).collect();
+    let levels: Option<Vec<Saddle>> = (0..=LEVELS)
+        .map(|m| Saddle::of(n, FREQUENCY, 1.0, m))
+        .collect();
     let Some(found) = levels else {
         return Vec::new();
     };
     let printed_ratio = Enclosure::exactly(distance.exact() / at_vertex.exact());
     let describe = |s: &Saddle| {
-        format!("m = {}: at least {:.6} against at most {:.6}", s.level, s.distance, s.heuristic)
+        format!(
+            "m = {}: at least {:.6} against at most {:.6}",
+            s.level, s.distance, s.heuristic
+        )
     };
     let texts: Vec<String> = found.iter().map(describe).collect();
     let unsafe_at = |s: &Saddle| s.distance > s.heuristic;
-    let scope = format!("Loop, n = {n}, frequency {FREQUENCY}, ring radius 1, amplitude 1; coordinates in f64");
+    let scope = format!(
+        "Loop, n = {n}, frequency {FREQUENCY}, ring radius 1, amplitude 1; coordinates in f64"
+    );
     vec![
         claim(
             "figure-5",
@@ -239,7 +258,11 @@ mod tests {
     #[test]
     fn distances_to_a_triangle() {
         let t = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
-        for (p, d) in [([1.0, 1.0, 2.0], 2.0), ([1.0, -3.0, 0.0], 3.0), ([-3.0, -4.0, 0.0], 5.0)] {
+        for (p, d) in [
+            ([1.0, 1.0, 2.0], 2.0),
+            ([1.0, -3.0, 0.0], 3.0),
+            ([-3.0, -4.0, 0.0], 5.0),
+        ] {
             let found = certain_distance(&p, &t, 0.0).expect("a direction");
             assert!(found <= d && found > d - 1e-12);
             let less = certain_distance(&p, &t, 0.1).expect("a direction");

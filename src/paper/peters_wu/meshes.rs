@@ -102,10 +102,18 @@ impl Draft {
                 .filter(|&f| self.faces[f].contains(&a) && self.faces[f].contains(&b))
                 .collect();
             // The face that runs from a to b first.
-            let runs = |f: usize| (0..3).any(|i| self.faces[f][i] == a && self.faces[f][(i + 1) % 3] == b);
-            let (first, second) = if runs(at[0]) { (at[0], at[1]) } else { (at[1], at[0]) };
+            let runs =
+                |f: usize| (0..3).any(|i| self.faces[f][i] == a && self.faces[f][(i + 1) % 3] == b);
+            let (first, second) = if runs(at[0]) {
+                (at[0], at[1])
+            } else {
+                (at[1], at[0])
+            };
             let other = |f: usize| self.faces[f].into_iter().find(|&v| v != a && v != b);
-            let (c, d) = (other(first).expect("a corner"), other(second).expect("a corner"));
+            let (c, d) = (
+                other(first).expect("a corner"),
+                other(second).expect("a corner"),
+            );
             self.faces[first] = [a, d, c];
             self.faces[second] = [d, b, c];
         }
@@ -146,7 +154,8 @@ fn icosahedron() -> Draft {
         d < 5.0
     };
     let determinant = |[a, b, c]: [[f64; 3]; 3]| {
-        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+        a[0] * (b[1] * c[2] - b[2] * c[1])
+            + a[1] * (b[2] * c[0] - b[0] * c[2])
             + a[2] * (b[0] * c[1] - b[1] * c[0])
     };
     let mut faces = Vec::new();
@@ -173,7 +182,12 @@ pub fn star() -> StandIn {
 /// A ball with bumps over a split octahedron: valences 4 and 6.
 fn knob() -> StandIn {
     let bumps = |[x, y, z]: [f64; 3]| 2.0 + 1.6 * x * y * z + 0.5 * (x * x - y * z);
-    octahedron().split().split().split().radial(bumps).finish("knob")
+    octahedron()
+        .split()
+        .split()
+        .split()
+        .radial(bumps)
+        .finish("knob")
 }
 
 /// A ball with bumps over a split icosahedron: valences 5 and 6.
@@ -186,7 +200,13 @@ fn blob() -> StandIn {
 fn spool() -> StandIn {
     let n = 12;
     let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(n);
-    let rim = |i| [2.0 * angle(i).cos(), 2.0 * angle(i).sin(), 0.3 * angle(3 * i).cos()];
+    let rim = |i| {
+        [
+            2.0 * angle(i).cos(),
+            2.0 * angle(i).sin(),
+            0.3 * angle(3 * i).cos(),
+        ]
+    };
     let mut points: Vec<[f64; 3]> = (0..n).map(rim).collect();
     points.extend([[0.0, 0.0, 1.5], [0.0, 0.0, -1.0]]);
     let face = |i| {
@@ -207,13 +227,20 @@ fn braid() -> StandIn {
             std::f64::consts::TAU * f64::from(j) / f64::from(k),
         );
         let r = 3.0 + (1.0 + 0.2 * (3.0 * a).cos()) * b.cos();
-        [r * a.cos(), r * a.sin(), b.sin() * (1.0 + 0.2 * (3.0 * a).sin())]
+        [
+            r * a.cos(),
+            r * a.sin(),
+            b.sin() * (1.0 + 0.2 * (3.0 * a).sin()),
+        ]
     };
-    let points = (0..k).flat_map(|j| (0..m).map(move |i| point(i, j))).collect();
+    let points = (0..k)
+        .flat_map(|j| (0..m).map(move |i| point(i, j)))
+        .collect();
     let mut faces = Vec::new();
     for j in 0..k {
         for i in 0..m {
-            let [a, b, c, d] = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| vertex(i, j));
+            let [a, b, c, d] =
+                [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| vertex(i, j));
             faces.extend([[a, b, c], [a, c, d]]);
         }
     }
@@ -244,7 +271,20 @@ fn two_ring_faces(n: u32) -> Vec<u32> {
     let at = |kind: u32, j: u32| 1 + kind * n + j % n;
     let sector = |j: u32| {
         let (a, next, d) = (at(0, j), at(0, j + 1), at(1, j));
-        [0, a, next, a, at(2, j), d, a, d, next, next, d, at(2, j + 1)]
+        [
+            0,
+            a,
+            next,
+            a,
+            at(2, j),
+            d,
+            a,
+            d,
+            next,
+            next,
+            d,
+            at(2, j + 1),
+        ]
     };
     (0..n).flat_map(sector).collect()
 }
@@ -269,7 +309,12 @@ pub fn closed(n: u32, net: &[Point<f64>], outer: &[Point<f64>]) -> Mesh {
     let third = |i: u32| size + i % (3 * n);
     for j in 0..n {
         let (b, d, next) = (second(2 * j), second(2 * j + 1), second(2 * j + 2));
-        let (c, e, f, g) = (third(3 * j), third(3 * j + 1), third(3 * j + 2), third(3 * j + 3));
+        let (c, e, f, g) = (
+            third(3 * j),
+            third(3 * j + 1),
+            third(3 * j + 2),
+            third(3 * j + 3),
+        );
         corners.extend([b, c, e, b, e, d, d, e, f, d, f, next, next, f, g]);
         corners.extend([e, c, apex, f, e, apex, g, f, apex]);
     }
@@ -303,7 +348,11 @@ mod tests {
             assert_eq!(model.name, name);
             assert_eq!(model.mesh.topology.face_count(), triangles, "{name}");
             assert!(model.mesh.topology.is_closed());
-            assert_eq!(valences(&model.mesh), histogram.iter().copied().collect(), "{name}");
+            assert_eq!(
+                valences(&model.mesh),
+                histogram.iter().copied().collect(),
+                "{name}"
+            );
         }
     }
 

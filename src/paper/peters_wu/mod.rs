@@ -61,7 +61,10 @@ pub fn examine(asked: &[u32], given: &[StandIn], tell: &(dyn Fn(u32, u32) + Sync
     let mut all: Vec<u32> = asked.to_vec();
     all.sort_unstable();
     all.dedup();
-    let models: Vec<StandIn> = meshes::stand_ins().into_iter().chain(given.iter().cloned()).collect();
+    let models: Vec<StandIn> = meshes::stand_ins()
+        .into_iter()
+        .chain(given.iter().cloned())
+        .collect();
     let count = (all.len() + models.len()) as u32;
     let done = AtomicU32::new(0);
     let heard = || tell(done.fetch_add(1, Ordering::Relaxed) + 1, count);

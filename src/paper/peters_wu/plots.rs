@@ -19,7 +19,10 @@ fn series(experiment: &Experiment, rows: &[Row], value: Value) -> Vec<Series> {
         look: Look::Line,
         points: points(row),
     };
-    rows.iter().map(of).filter(|s| !s.points.is_empty()).collect()
+    rows.iter()
+        .map(of)
+        .filter(|s| !s.points.is_empty())
+        .collect()
 }
 
 /// All plots.
@@ -41,11 +44,42 @@ pub fn plots(printed: &Experiment, redone: &Experiment) -> Vec<Plot> {
         logarithmic: true,
         series: series(experiment, rows, value),
     };
-    let (ratio, spread) = ("median of estimate / measured", "variance of estimate / measured");
+    let (ratio, spread) = (
+        "median of estimate / measured",
+        "variance of estimate / measured",
+    );
     vec![
-        plot("figure-6-median-printed", "Figure 6, top, from the printed table", ratio, printed, &tight, median),
-        plot("figure-6-median-redone", "Figure 6, top, redone", ratio, redone, &tight, median),
-        plot("figure-6-variance-printed", "Figure 6, bottom, from the printed table", spread, printed, &wide, variance),
-        plot("figure-6-variance-redone", "Figure 6, bottom, redone", spread, redone, &wide, variance),
+        plot(
+            "figure-6-median-printed",
+            "Figure 6, top, from the printed table",
+            ratio,
+            printed,
+            &tight,
+            median,
+        ),
+        plot(
+            "figure-6-median-redone",
+            "Figure 6, top, redone",
+            ratio,
+            redone,
+            &tight,
+            median,
+        ),
+        plot(
+            "figure-6-variance-printed",
+            "Figure 6, bottom, from the printed table",
+            spread,
+            printed,
+            &wide,
+            variance,
+        ),
+        plot(
+            "figure-6-variance-redone",
+            "Figure 6, bottom, redone",
+            spread,
+            redone,
+            &wide,
+            variance,
+        ),
     ]
 }

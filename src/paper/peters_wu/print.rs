@@ -22,7 +22,10 @@ fn entries(model: &printed::Model, index: usize) -> Vec<(usize, Enclosure)> {
 }
 
 fn index(row: Row) -> usize {
-    Row::all().iter().position(|&r| r == row).expect("a row of the table")
+    Row::all()
+        .iter()
+        .position(|&r| r == row)
+        .expect("a row of the table")
 }
 
 /// Ratios of successive entries of a row: (model, m, ratio of m + 1 to m), with the rounding of the print.
@@ -59,7 +62,11 @@ fn eigen_rows() -> (Option<bool>, String) {
         for (name, m, ratio) in &ratios {
             let truth = ratio.at_most(&bound);
             if truth == Some(false) {
-                above.push(format!("{} of {name}, m = {m}: {}", row.name(), ratio.decimal(DIGITS)));
+                above.push(format!(
+                    "{} of {name}, m = {m}: {}",
+                    row.name(),
+                    ratio.decimal(DIGITS)
+                ));
             }
             truths.push(truth);
         }
@@ -97,13 +104,21 @@ fn eigen_quarters() -> (Option<bool>, String) {
             // The quarter lies in the range that the print stands for, or not.
             let holds = ratio.lo <= quarter.lo && quarter.lo <= ratio.hi;
             if !holds {
-                exceptions.push(format!("{} of {name}, m = {m}: {}", row.name(), ratio.decimal(DIGITS)));
+                exceptions.push(format!(
+                    "{} of {name}, m = {m}: {}",
+                    row.name(),
+                    ratio.decimal(DIGITS)
+                ));
             }
         }
     }
     let text = match exceptions.is_empty() {
         true => format!("all {count} ratios"),
-        false => format!("all but {} of {count}: {}", exceptions.len(), exceptions.join(", ")),
+        false => format!(
+            "all but {} of {count}: {}",
+            exceptions.len(),
+            exceptions.join(", ")
+        ),
     };
     (Some(exceptions.is_empty()), text)
 }
@@ -152,7 +167,10 @@ pub fn claims() -> Vec<Claim> {
     let ranges = parts.map(|[a, b]| Enclosure::new(a.lo + b.lo, a.hi + b.hi));
     let rounded = quotient(&ranges[1], &ranges[0]);
     let (timed, triangles) = printed::TIMED;
-    let figure_7 = printed::TABLE_1.iter().find(|m| m.name == timed).map(|m| m.triangles);
+    let figure_7 = printed::TABLE_1
+        .iter()
+        .find(|m| m.name == timed)
+        .map(|m| m.triangles);
     let (refinements, width) = printed::SANDWICH;
     let (p, q) = printed::REGULAR_RATE;
     let sandwich = Rational::ratio(p, q).pow(refinements as i32);
@@ -203,7 +221,9 @@ pub fn claims() -> Vec<Claim> {
         claim(
             "cost-operations",
             "section 5",
-            format!("For n = {n}, m = {m} the cost per coordinate is {operations} adds and multiplications, local steps included."),
+            format!(
+                "For n = {n}, m = {m} the cost per coordinate is {operations} adds and multiplications, local steps included."
+            ),
             Verdict::Undecided,
             match cost() {
                 Some((sparse, full)) => format!(

@@ -72,8 +72,9 @@ pub fn of_mesh(stand_in: &StandIn, last: u32) -> Redone {
     for (index, row) in Row::all().into_iter().enumerate() {
         match row {
             Row::Measured => {
-                made.model.rows[index] =
-                    (0..=last).map(|m| measured(mesh, Against::Control, m)).collect();
+                made.model.rows[index] = (0..=last)
+                    .map(|m| measured(mesh, Against::Control, m))
+                    .collect();
             }
             Row::Estimate(Estimator::Heuristic, _) => {
                 made.model.rows[index] = (0..=last)
@@ -94,7 +95,9 @@ pub fn of_mesh(stand_in: &StandIn, last: u32) -> Redone {
             }
         }
     }
-    made.limit = (0..=last).map(|m| measured(mesh, Against::Limit, m)).collect();
+    made.limit = (0..=last)
+        .map(|m| measured(mesh, Against::Limit, m))
+        .collect();
     made
 }
 

@@ -125,10 +125,21 @@ impl Spectra {
     pub fn claims(&self) -> Vec<Claim> {
         let asked = format!("Loop, n = {}", ranges(self.rows.iter().map(|r| r.n)));
         let formula = self.formula();
-        let instead = self.rows.iter().zip(&formula).filter(|(_, f)| f.1 == Some(false));
+        let instead = self
+            .rows
+            .iter()
+            .zip(&formula)
+            .filter(|(_, f)| f.1 == Some(false));
         let instead = instead.filter_map(|(row, _)| {
             let own = row.subsubdominant()?;
-            Some((row.n, format!("{} against {}", decimal(&own.value), decimal(&printed_lambda_3(row.n)?))))
+            Some((
+                row.n,
+                format!(
+                    "{} against {}",
+                    decimal(&own.value),
+                    decimal(&printed_lambda_3(row.n)?)
+                ),
+            ))
         });
         let instead = list(instead);
         let quarter = exact(printed::REGULAR_RATE);
@@ -185,7 +196,9 @@ impl Spectra {
                 Verdict::of(near),
                 format!(
                     "at n = {LARGE}: {}, less than 1/100 below; the formula tends to 5/8",
-                    far[0].subsubdominant().map_or("-".into(), |e| decimal(&e.value))
+                    far[0]
+                        .subsubdominant()
+                        .map_or("-".into(), |e| decimal(&e.value))
                 ),
                 format!("Loop, n = {LARGE}"),
             ),
@@ -200,7 +213,9 @@ impl Spectra {
             claim(
                 "lambda-3-half",
                 "section 6",
-                format!("λ_3 = 1/2 for Catmull-Clark when n = {quads}, for Loop when n = {triangles}."),
+                format!(
+                    "λ_3 = 1/2 for Catmull-Clark when n = {quads}, for Loop when n = {triangles}."
+                ),
                 Verdict::of(all([catmull_clark.0, of_loop.0])),
                 format!("Catmull-Clark {}, Loop {}", catmull_clark.1, of_loop.1),
                 format!("n = {quads}, {triangles}"),
@@ -210,7 +225,10 @@ impl Spectra {
                 "introduction, section 6",
                 "At regular points the subsubdominant eigenvalue is 1/4.",
                 Verdict::of(all(regular.iter().map(|r| r.0))),
-                format!("Loop, n = 6: {}; Catmull-Clark, n = 4: {}", regular[0].1, regular[1].1),
+                format!(
+                    "Loop, n = 6: {}; Catmull-Clark, n = 4: {}",
+                    regular[0].1, regular[1].1
+                ),
                 "regular valences",
             ),
             claim(
@@ -227,9 +245,13 @@ impl Spectra {
             claim(
                 "steps-first-order",
                 "section 1.2, of [ZC06]",
-                format!("With a decrease by {decrease} per step (n = {n}) {zc_steps} steps cut the distance to 10 %."),
+                format!(
+                    "With a decrease by {decrease} per step (n = {n}) {zc_steps} steps cut the distance to 10 %."
+                ),
                 Verdict::of(Some(zc == zc_steps)),
-                format!("the least k with {decrease}^k <= 1/10 is {zc}; the rate itself is [ZC06]'s"),
+                format!(
+                    "the least k with {decrease}^k <= 1/10 is {zc}; the rate itself is [ZC06]'s"
+                ),
                 "arithmetic",
             ),
             claim(
@@ -280,7 +302,10 @@ impl Spectra {
                     Some(true) => Verdict::True,
                     _ => Verdict::Undecided,
                 },
-                if_true(&embedding, "regular and injective, by Bernstein coefficients"),
+                if_true(
+                    &embedding,
+                    "regular and injective, by Bernstein coefficients",
+                ),
                 asked,
             ),
         ]

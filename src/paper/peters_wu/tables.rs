@@ -20,7 +20,11 @@ pub fn tables(
 ) -> Vec<Table> {
     vec![
         table_1(redone),
-        figure_6("figure-6-printed", "Figure 6 from the printed Table 1", printed),
+        figure_6(
+            "figure-6-printed",
+            "Figure 6 from the printed Table 1",
+            printed,
+        ),
         figure_6("figure-6-redone", "Figure 6 redone", ours),
         spectra.table(),
     ]
@@ -54,14 +58,25 @@ fn table_1(redone: &[Redone]) -> Table {
             rows.push(cells);
         }
         let mut cells = vec![made.model.name.clone(), "to limit mesh".into()];
-        cells.extend((0..HEADS.len()).map(|m| cell(made.limit.get(m).and_then(Option::as_ref), DIGITS)));
+        cells.extend(
+            (0..HEADS.len()).map(|m| cell(made.limit.get(m).and_then(Option::as_ref), DIGITS)),
+        );
         rows.push(cells);
         if let Some((row, why)) = made.missing.first() {
             let names: Vec<String> = made.missing.iter().map(|(row, _)| row.name()).collect();
-            notes.push(format!("{}: no {}, as {} says: {why}.", made.model.name, names.join(", "), row.name()));
+            notes.push(format!(
+                "{}: no {}, as {} says: {why}.",
+                made.model.name,
+                names.join(", "),
+                row.name()
+            ));
         }
         if !made.plain_over_sector.is_empty() {
-            let list: Vec<String> = made.plain_over_sector.iter().map(|x| format!("{x:.2}")).collect();
+            let list: Vec<String> = made
+                .plain_over_sector
+                .iter()
+                .map(|x| format!("{x:.2}"))
+                .collect();
             notes.push(format!(
                 "{}: the paper's plain sum is {} times tab-approx.",
                 made.model.name,
@@ -103,7 +118,9 @@ fn figure_6(id: &'static str, title: &str, experiment: &Experiment) -> Table {
     Table {
         id,
         title: title.into(),
-        heads: vec!["estimate", "m", "models", "median", "variance", "least", "largest"],
+        heads: vec![
+            "estimate", "m", "models", "median", "variance", "least", "largest",
+        ],
         rows,
         notes: vec!["Ratios of the estimate to the measured distance (dimensionless).".into()],
     }

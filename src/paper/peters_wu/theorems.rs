@@ -53,11 +53,15 @@ impl Found {
     /// At a valence.
     pub fn of(n: u32) -> Option<Self> {
         let (spectrum, modes) = loop_modes::<Cyclotomic>(WEIGHTS, n)?;
-        let (_, chi) = modes.iter().find(|(m, _)| m.family == Family::Ring && m.frequency == 1)?;
+        let (_, chi) = modes
+            .iter()
+            .find(|(m, _)| m.family == Family::Ring && m.frequency == 1)?;
         let small = n <= LARGEST;
         let members = spectrum.members();
         let is_eigenvector = |&m: &Member| spectrum.chain(m).iter().all(Zero::is_zero);
-        let kept = [Member::Constant, chi[0], chi[1]].iter().all(|m| acts_as_eigenvalue(&spectrum, *m));
+        let kept = [Member::Constant, chi[0], chi[1]]
+            .iter()
+            .all(|m| acts_as_eigenvalue(&spectrum, *m));
         Some(Found {
             n,
             reproduction: oriented(n, chi).map(|oriented| kept && oriented),
@@ -112,7 +116,8 @@ fn area(points: &[[Interval; 2]], [a, b, c]: [usize; 3]) -> Interval {
 }
 
 fn is_positive(x: Interval) -> Option<bool> {
-    x.decide(&Interval::from_integer(0)).map(|o| o == Ordering::Greater)
+    x.decide(&Interval::from_integer(0))
+        .map(|o| o == Ordering::Greater)
 }
 
 /// Whether the facets of the two-ring are oriented alike; those of the next level over S_n are images under
@@ -123,7 +128,12 @@ fn oriented(n: u32, chi: &[Member]) -> Option<bool> {
     let at = |kind: usize, j: usize| 1 + kind * size + j % size;
     all((0..size).flat_map(|j| {
         let (a, next, d) = (at(0, j), at(0, j + 1), at(1, j));
-        let facets = [[0, a, next], [a, at(2, j), d], [a, d, next], [next, d, at(2, j + 1)]];
+        let facets = [
+            [0, a, next],
+            [a, at(2, j), d],
+            [a, d, next],
+            [next, d, at(2, j + 1)],
+        ];
         facets.map(|facet| is_positive(area(&points, facet)))
     }))
 }
@@ -134,7 +144,11 @@ fn convex(n: u32, chi: &[Member]) -> Option<bool> {
     let size = n as usize;
     let outer = |i: usize| {
         let j = (i / 2) % size;
-        if i % 2 == 0 { 1 + 2 * size + j } else { 1 + size + j }
+        if i % 2 == 0 {
+            1 + 2 * size + j
+        } else {
+            1 + size + j
+        }
     };
     // By symmetry two corners: on a ray, and between two.
     let turns = [1, 2].map(|i| area(&points, [outer(i - 1), outer(i), outer(i + 1)]));
@@ -157,7 +171,9 @@ fn single(n: u32) -> Option<bool> {
         .flat_map(|(_, members)| members.iter().map(|&m| spectrum.net(m)))
         .collect();
     let distances = table::distances(WEIGHTS, n, Against::Control, 0)?;
-    let ring = modes.iter().filter(|(m, _)| m.family == Family::Ring && m.frequency != 1);
+    let ring = modes
+        .iter()
+        .filter(|(m, _)| m.family == Family::Ring && m.frequency != 1);
     let (mut norms, mut sums) = (Norms::default(), Vec::new());
     Some(ring.zip(&distances.ring).all(|((_, members), mu)| {
         let z = spectrum.net(members[0]);
@@ -225,7 +241,10 @@ pub fn claims(found: &[Found]) -> Vec<Claim> {
             "Lemma 2, (7)",
             "Δ(m, n, v_i) = 0 for i = 0, 1, 2.",
             Verdict::of(truth(&reproduction)),
-            if_true(&reproduction, "the constant and the characteristic net are eigenvectors; Lemma 1"),
+            if_true(
+                &reproduction,
+                "the constant and the characteristic net are eigenvectors; Lemma 1",
+            ),
             scope.clone(),
         ),
         claim(
@@ -235,7 +254,10 @@ pub fn claims(found: &[Found]) -> Vec<Claim> {
             Verdict::of(truth(&scaling)),
             format!(
                 "{}. Where it is false, A v = λ v + κ f for one v of the basis (n = 3, λ = 1/16): for the others it holds",
-                if_true(&scaling, "A v = λ v exactly for each of the 1 + 3n eigenvectors")
+                if_true(
+                    &scaling,
+                    "A v = λ v exactly for each of the 1 + 3n eigenvectors"
+                )
             ),
             scope.clone(),
         ),

@@ -209,11 +209,7 @@ fn bound(part: &Part, spline: &QuarticTriangle<Value>, facets: &[[Value; 3]]) ->
 }
 
 /// |e - E|^2 at the corners of a part, about.
-fn estimates(
-    part: &Part,
-    spline: &QuarticTriangle<Value>,
-    facets: &[[Value; 3]],
-) -> [f64; 3] {
+fn estimates(part: &Part, spline: &QuarticTriangle<Value>, facets: &[[Value; 3]]) -> [f64; 3] {
     let covering = part.covering.as_deref().unwrap_or_default();
     [0, 10, 14].map(|i| {
         let inside = |c: &&Covering| c.weights[i].iter().all(|b| b.mid() > -1e-9);
