@@ -5,7 +5,7 @@ use super::figure_5::Saddle;
 use super::printed;
 use super::redone::{Redone, WEIGHTS};
 use crate::bound::Against;
-use crate::paper::words::{all, claim, if_true, ranges};
+use crate::paper::words::{every, claim, if_true, ranges};
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::predict::Estimator;
 use crate::predict::inside::stays_inside;
@@ -93,7 +93,7 @@ pub fn claims(asked: &[u32], redone: &[Redone], experiment: &Experiment) -> Vec<
         }
     }
     let one = Enclosure::exactly(num_traits::One::one());
-    let above = all(ratios.iter().map(|r| one.at_most(r)));
+    let above = every(ratios.iter().map(|r| one.at_most(r)));
     let least = ratios.iter().map(|r| &r.lo).min().cloned();
     let most = ratios.iter().map(|r| &r.hi).max().cloned();
     let range = least.zip(most).map_or("-".into(), |(a, b)| {
@@ -148,7 +148,7 @@ pub fn claims(asked: &[u32], redone: &[Redone], experiment: &Experiment) -> Vec<
             "tabulated",
             "section 5, (18)",
             format!("Distances of all eigensplines are tabulated for n = {lowest}..{highest}; none is printed."),
-            Verdict::of(all(tabulated.iter().map(|t| t.1))),
+            Verdict::of(every(tabulated.iter().map(|t| t.1))),
             if_true(&tabulated, "certified upper bounds, against control and limit meshes"),
             scope.clone(),
         ),
@@ -190,7 +190,7 @@ pub fn claims(asked: &[u32], redone: &[Redone], experiment: &Experiment) -> Vec<
             "section 4, (18)",
             "The estimates transfer to the interpolating polyhedron: over chi(S_n) its facets are those between limits of \
              the control points of the two-ring.",
-            Verdict::of(all(inside.iter().map(|i| i.1))),
+            Verdict::of(every(inside.iter().map(|i| i.1))),
             format!(
                 "chi(S_n) stays over the facets between limit points of S_n: {}; where it leaves them the mesh's own facets \
                  depend on points beyond the two-ring, and tab-interp is a bound after one local subdivision more. Not proved \

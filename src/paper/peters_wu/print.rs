@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::experiment::{Experiment, LOCAL, Row, TABULATED, quotient};
 use super::printed;
 use super::redone::WEIGHTS;
-use crate::paper::words::{all, claim};
+use crate::paper::words::{every, claim};
 use crate::paper::{Claim, Enclosure, Printed, Verdict};
 use crate::predict::Estimator;
 use crate::predict::kernel::Kernel;
@@ -80,7 +80,7 @@ fn eigen_rows() -> (Option<bool>, String) {
     }
     let shown = above.iter().take(4).cloned().collect::<Vec<_>>().join(", ");
     (
-        all(truths),
+        every(truths),
         format!(
             "by the formula the ratios of successive entries are below 5/8 and never fall; as printed {} of them exceed \
              5/8 ({shown}, ..) and {falling} times one falls",
@@ -125,7 +125,7 @@ fn eigen_quarters() -> (Option<bool>, String) {
 
 /// At m = j `tab-eigen j` and `tab-approx j` are one sum.
 fn same_start() -> Option<bool> {
-    all(printed::TABLE_1.iter().flat_map(|model| {
+    every(printed::TABLE_1.iter().flat_map(|model| {
         LOCAL.map(|j| {
             let first = |e| model.rows[index(Row::Estimate(e, j))].first();
             let pair = first(Estimator::TabEigen).zip(first(Estimator::TabApprox));
@@ -151,7 +151,7 @@ pub fn claims() -> Vec<Claim> {
     let (eigen, eigen_found) = eigen_rows();
     let (quarters, quarters_found) = eigen_quarters();
     let starts = same_start();
-    let decreasing = all(Row::all().into_iter().flat_map(|row| {
+    let decreasing = every(Row::all().into_iter().flat_map(|row| {
         let one = Enclosure::exactly(<Rational as Ring>::from_integer(1));
         successive(row)
             .into_iter()
@@ -303,5 +303,5 @@ fn local_steps() -> (Option<bool>, String) {
         let show = |x| Enclosure::exactly(x).decimal(2);
         format!("{} to {} times smaller", show(a), show(b))
     });
-    (all(truths), text)
+    (every(truths), text)
 }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::printed::{self, Fraction};
-use crate::paper::words::{all, claim, exceptions, if_true, list, ranges};
+use crate::paper::words::{every, claim, exceptions, if_true, list, ranges};
 use crate::paper::{Claim, Enclosure, Table, Verdict};
 use crate::scalar::{Cyclotomic, Field, Rational, Ring};
 use crate::scheme::LoopWeights;
@@ -182,7 +182,7 @@ impl Spectra {
                 "subsubdominant-formula",
                 "introduction, (i)",
                 "The subsubdominant eigenvalue of Loop's scheme is λ_3 = (3 + 2 cos 4π/n) / 8.",
-                Verdict::of(all(formula.iter().map(|f| f.1))),
+                Verdict::of(every(formula.iter().map(|f| f.1))),
                 match instead.is_empty() {
                     true => "the eigenvalue of frequency 2, exactly".into(),
                     false => format!("{}: λ_3 is {instead}", exceptions(&formula)),
@@ -216,7 +216,7 @@ impl Spectra {
                 format!(
                     "λ_3 = 1/2 for Catmull-Clark when n = {quads}, for Loop when n = {triangles}."
                 ),
-                Verdict::of(all([catmull_clark.0, of_loop.0])),
+                Verdict::of(every([catmull_clark.0, of_loop.0])),
                 format!("Catmull-Clark {}, Loop {}", catmull_clark.1, of_loop.1),
                 format!("n = {quads}, {triangles}"),
             ),
@@ -224,7 +224,7 @@ impl Spectra {
                 "lambda-3-regular",
                 "introduction, section 6",
                 "At regular points the subsubdominant eigenvalue is 1/4.",
-                Verdict::of(all(regular.iter().map(|r| r.0))),
+                Verdict::of(every(regular.iter().map(|r| r.0))),
                 format!(
                     "Loop, n = 6: {}; Catmull-Clark, n = 4: {}",
                     regular[0].1, regular[1].1
@@ -290,7 +290,7 @@ impl Spectra {
                 "Theorem 1, Corollaries 1 to 3; tables for n = 3..30",
                 "The theory asks for a scheme without generalised eigenvectors, and is used for Loop at all valences \
                  from 3 on.",
-                Verdict::of(all(defective.iter().map(|d| d.1))),
+                Verdict::of(every(defective.iter().map(|d| d.1))),
                 if_true(&defective, "diagonal over its eigenvectors"),
                 asked.clone(),
             ),
@@ -298,7 +298,7 @@ impl Spectra {
                 "characteristic-map",
                 "section 1.1",
                 "The characteristic spline is an embedding.",
-                match all(embedding.iter().map(|e| e.1)) {
+                match every(embedding.iter().map(|e| e.1)) {
                     Some(true) => Verdict::True,
                     _ => Verdict::Undecided,
                 },

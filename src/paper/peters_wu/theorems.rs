@@ -11,7 +11,7 @@ use num_traits::Zero;
 
 use super::redone::WEIGHTS;
 use crate::bound::Against;
-use crate::paper::words::{all, claim, if_true, ranges};
+use crate::paper::words::{every, claim, if_true, ranges};
 use crate::paper::{Claim, Verdict};
 use crate::predict::kernel::{Kernel, Norms, Sum};
 use crate::predict::table;
@@ -126,7 +126,7 @@ fn oriented(n: u32, chi: &[Member]) -> Option<bool> {
     let (_, points) = net(n, chi)?;
     let size = n as usize;
     let at = |kind: usize, j: usize| 1 + kind * size + j % size;
-    all((0..size).flat_map(|j| {
+    every((0..size).flat_map(|j| {
         let (a, next, d) = (at(0, j), at(0, j + 1), at(1, j));
         let facets = [
             [0, a, next],
@@ -156,7 +156,7 @@ fn convex(n: u32, chi: &[Member]) -> Option<bool> {
         // A straight line at the corners between rays, exactly.
         return Some(turns.iter().all(|t| t.sup() >= 0.0));
     }
-    all(turns.map(is_positive))
+    every(turns.map(is_positive))
 }
 
 /// The bound of Corollary 1 for the net of the characteristic map and one eigenvector, over the eigenvector's
@@ -208,7 +208,7 @@ pub fn claims(found: &[Found]) -> Vec<Claim> {
     };
     let (reproduction, hull) = (by(|f| f.reproduction), by(|f| f.convex));
     let (scaling, single) = (by(|f| f.scaling), by(|f| f.single));
-    let truth = |t: &[(u32, Option<bool>)]| all(t.iter().map(|t| t.1));
+    let truth = |t: &[(u32, Option<bool>)]| every(t.iter().map(|t| t.1));
     let theorem = truth(&under);
     vec![
         claim(
@@ -286,7 +286,7 @@ pub fn claims(found: &[Found]) -> Vec<Claim> {
              bound is sharp.",
             match (theorem, truth(&single)) {
                 (Some(true), Some(true)) => Verdict::Sharp,
-                (a, b) => Verdict::of(all([a, b])),
+                (a, b) => Verdict::of(every([a, b])),
             },
             if_true(
                 &single,

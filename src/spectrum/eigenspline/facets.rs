@@ -38,10 +38,9 @@ pub struct Facet {
 impl Facet {
     /// The facet with the given corners.
     pub fn new(triangle: Triangle, corners: [Point; 3]) -> Self {
-        let edges = [0, 1, 2].map(|v| {
-            let (a, b) = (corners[(v + 1) % 3], corners[(v + 2) % 3]);
-            (a, b - &a)
-        });
+        // Where a ray begins at the centre, that is the point: signs are certain near it too.
+        let edges = [(1, 1, 2), (0, 2, 0), (0, 0, 1)]
+            .map(|(base, a, b): (usize, usize, usize)| (corners[base], corners[b] - &corners[a]));
         let mut facet = Facet {
             triangle,
             edges,

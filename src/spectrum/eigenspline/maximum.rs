@@ -9,6 +9,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::complex::Complex;
+use super::facet_bound::bound_over;
 use super::facets::{Covering, Part, Patch};
 use super::reach::{Reached, reach};
 use crate::bernstein::triangle::{QUARTER_CORNERS, QuarticTriangle};
@@ -18,11 +19,9 @@ use crate::scalar::Interval;
 pub type Value = Complex<Interval>;
 
 /// The number of quarterings that certificates allow.
-pub const MOST_QUARTERINGS: u32 = 8;
-/// Relative distance of bound and value at which the search ends.
-const GAP: f64 = 2e-6;
+pub const MOST_QUARTERINGS: u32 = 20;
 /// Quarterings at most.
-const MOST_PARTS: usize = 4000;
+const MOST_PARTS: usize = 20_000;
 
 /// e over a patch, and E at the corners of its candidates.
 #[derive(Debug)]
@@ -48,15 +47,15 @@ pub struct Maximum {
     pub reached: Option<Reached>,
 }
 
-/// The supremum of |e - E| over the patches of the starts, or a floor if that is larger, enclosed;
-/// `None` if the facets under some part stay uncertain.
-pub fn enclose(starts: &[Start], floor: f64) -> Option<Maximum> {
+/// The supremum of |e - E| over the patches of the starts, or a floor if that is larger, enclosed: the
+/// bound above the value by at most `gap` of it, if that can be had. `None` if the facets under some part stay uncertain.
+pub fn enclose(starts: &[Start], floor: f64, gap: f64) -> Option<Maximum> {
     let mut search = Search::new(starts, floor);
     for _ in 0..MOST_PARTS {
         let Some(top) = search.heap.peek() else {
             break;
         };
-        if top.depth == MOST_QUARTERINGS || top.bound <= search.best * (1.0 + 2.0 * GAP) {
+        if top.depth == MOST_QUARTERINGS || top.bound <= search.best * (1.0 + gap) {
             break;
         }
         let top = search.heap.pop()?;
@@ -64,7 +63,7 @@ pub fn enclose(starts: &[Start], floor: f64) -> Option<Maximum> {
     }
     let left = search.heap.peek().map_or(0.0, |top| top.bound);
     let most = left.max(search.dropped);
-    let hi = Interval::point(most).sqrt()?.sup().max(floor);
+    let hi = most.max(floor);
     let reached = match search.best_at {
         Some((start, at)) => Some(reach(starts, start, at)?),
         None => None,
@@ -73,7 +72,7 @@ pub fn enclose(starts: &[Start], floor: f64) -> Option<Maximum> {
 }
 
 struct Node<'a> {
-    /// An upper bound of the square of the magnitude; infinite where the facets are not certain.
+    /// An upper bound of the magnitude; infinite where the facets are not certain.
     bound: f64,
     number: usize,
     start: usize,
@@ -105,7 +104,7 @@ impl Ord for Node<'_> {
 struct Search<'a> {
     starts: &'a [Start<'a>],
     heap: BinaryHeap<Node<'a>>,
-    /// The largest square met, about, or that of the floor: a proposal.
+    /// The largest value met, about, or the floor: a proposal.
     best: f64,
     /// Where it was met.
     best_at: Option<(usize, [f64; 2])>,
@@ -119,7 +118,7 @@ impl<'a> Search<'a> {
         let mut search = Search {
             starts,
             heap: BinaryHeap::new(),
-            best: floor * floor,
+            best: floor,
             best_at: None,
             dropped: 0.0,
             number: 0,
@@ -190,32 +189,33 @@ pub fn difference(e: &Value, weights: &[Interval; 3], facet: &[Value; 3]) -> Val
     terms.fold(*e, |sum, (b, value)| sum - &(*value * b))
 }
 
-/// |z|^2.
-pub fn square(z: &Value) -> Interval {
-    z.re.sqr() + z.im.sqr()
+/// |z|.
+pub fn magnitude(z: &Value) -> Interval {
+    let square = z.re.sqr() + z.im.sqr();
+    square.sqrt().unwrap_or(Interval::ENTIRE)
 }
 
-/// An upper bound of |e - E|^2 over a part.
+/// An upper bound of |e - E| over a part.
 fn bound(part: &Part, spline: &QuarticTriangle<Value>, facets: &[[Value; 3]]) -> f64 {
     let Some(covering) = &part.covering else {
         return f64::INFINITY;
     };
-    let over = |Covering { candidate, weights }: &Covering| {
-        let facet = &facets[*candidate];
-        let squares = (spline.0.iter().zip(weights)).map(|(e, b)| square(&difference(e, b, facet)));
-        squares.fold(0.0, |most, x| x.sup().max(most))
-    };
+    let over = |covering: &Covering| bound_over(covering, spline, &facets[covering.candidate]);
     covering.iter().map(over).fold(0.0, f64::max)
 }
 
-/// |e - E|^2 at the corners of a part, about.
-fn estimates(part: &Part, spline: &QuarticTriangle<Value>, facets: &[[Value; 3]]) -> [f64; 3] {
+/// |e - E| at the corners of a part, about.
+fn estimates(
+    part: &Part,
+    spline: &QuarticTriangle<Value>,
+    facets: &[[Value; 3]],
+) -> [f64; 3] {
     let covering = part.covering.as_deref().unwrap_or_default();
     [0, 10, 14].map(|i| {
         let inside = |c: &&Covering| c.weights[i].iter().all(|b| b.mid() > -1e-9);
         covering.iter().find(inside).map_or(0.0, |c| {
             let facet = &facets[c.candidate];
-            square(&difference(&spline.0[i], &c.weights[i], facet)).mid()
+            magnitude(&difference(&spline.0[i], &c.weights[i], facet)).mid()
         })
     })
 }

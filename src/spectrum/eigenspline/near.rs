@@ -8,7 +8,7 @@
 
 use super::complex::Complex;
 use super::lattice::Levels;
-use super::maximum::{Start, Value, enclose, square};
+use super::maximum::{Start, Value, enclose, magnitude};
 use super::mode::Net;
 use super::plane::{CENTRE, MOST_RINGS, Plane, spline, vertices};
 use super::scaling::{above, below};
@@ -16,6 +16,8 @@ use super::{Against, Enclosed};
 use crate::bernstein::triangle::QuarticTriangle;
 use crate::scalar::{Interval, Ring};
 
+/// Relative gap that is aimed at.
+const GAP: f64 = 5e-5;
 /// How much of the bound the rings beyond Q may add.
 const TAIL: f64 = 2e-7;
 
@@ -26,10 +28,6 @@ fn powers(net: &Net<Interval>, r: u32) -> (Interval, Interval) {
     let kappa = net.kappa.unwrap_or(Interval::from_integer(0));
     let slope = power(r.saturating_sub(1)) * Interval::from_integer(i64::from(r)) * kappa;
     (power(r), slope)
-}
-
-fn magnitude(z: &Value) -> Interval {
-    square(z).sqrt().unwrap_or(Interval::ENTIRE)
 }
 
 /// N, with the number Q of rings that show it.
@@ -74,7 +72,7 @@ pub fn enclose_near(
         }
     }
     let centre = magnitude(&vertices(nets, 0, 0, CENTRE, against)[0]);
-    let found = enclose(&starts, centre.sup())?;
+    let found = enclose(&starts, centre.sup(), GAP)?;
     let (depth, tail) = (1..=MOST_RINGS - 1)
         .map(|depth| (depth, tail(plane, net, nets, depth, largest, against)))
         .find(|(depth, tail)| *tail <= found.hi * (1.0 + TAIL) || *depth == MOST_RINGS - 1)?;

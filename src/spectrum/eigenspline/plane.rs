@@ -11,7 +11,7 @@ use crate::bernstein::triangle::QuarticTriangle;
 use crate::scalar::{Interval, Ring};
 
 /// Rings of [`Plane::near`].
-pub const MOST_RINGS: u32 = 60;
+pub const MOST_RINGS: u32 = 40;
 
 /// Ring 0 over the facets of each level, and the further rings over those of level 0.
 #[derive(Debug)]

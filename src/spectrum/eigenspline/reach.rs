@@ -3,7 +3,7 @@
 use super::SplinePoint;
 use super::complex::Complex;
 use super::facets::cover;
-use super::maximum::{Start, difference, square};
+use super::maximum::{Start, difference, magnitude};
 use crate::bernstein::Patch as _;
 use crate::scalar::{Interval, Rational};
 
@@ -73,7 +73,7 @@ pub fn reach(starts: &[Start], start: usize, from: [f64; 2]) -> Option<Reached> 
     })
 }
 
-/// |e - E|^2, about: over the facet that the point lies in, or is nearest to lying in.
+/// |e - E|, about: over the facet that the point lies in, or is nearest to lying in.
 fn estimate(start: &Start, at: [f64; 2]) -> f64 {
     let [v, w] = at.map(Interval::point);
     let (chi, _) = start.patch.root.chi.evaluate([&v, &w]);
@@ -83,7 +83,7 @@ fn estimate(start: &Start, at: [f64; 2]) -> f64 {
     let facets = all.map(|(facet, values)| (facet.weights(&chi), values));
     let best = facets.max_by(|a, b| depth(&a.0).total_cmp(&depth(&b.0)));
     best.map_or(0.0, |(weights, values)| {
-        square(&difference(&e, &weights, values)).mid()
+        magnitude(&difference(&e, &weights, values)).mid()
     })
 }
 
@@ -96,10 +96,7 @@ pub fn lower_bound(start: &Start, at: [f64; 2]) -> Option<f64> {
     let near = cover(candidates, 0..candidates.len(), &[chi]).0;
     let values = near.iter().map(|&i| {
         let weights = candidates[i].weights(&chi);
-        let squared = square(&difference(&e, &weights, &start.facets[i]));
-        Interval::new(squared.inf().max(0.0), squared.sup())
-            .sqrt()
-            .map_or(0.0, Interval::inf)
+        magnitude(&difference(&e, &weights, &start.facets[i])).inf()
     });
     values.reduce(f64::min)
 }

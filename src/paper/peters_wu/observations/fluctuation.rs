@@ -3,7 +3,7 @@
 use super::{DIGITS, Maker, Name, entries, estimate, listed, tabulated};
 use crate::paper::peters_wu::experiment::{Experiment, LOCAL, Row, TABULATED, deviation};
 use crate::paper::peters_wu::printed;
-use crate::paper::words::all;
+use crate::paper::words::every;
 use crate::paper::{Claim, Verdict};
 use crate::predict::Estimator;
 
@@ -43,7 +43,7 @@ fn loosest(experiment: &Experiment) -> (Option<bool>, String) {
             listed(&less)
         ),
     };
-    (all(truths), found)
+    (every(truths), found)
 }
 
 /// Whether the variance of a row is at least (or, with `largest` false, at most) that of others, levels
@@ -148,7 +148,7 @@ pub(super) fn claims(experiment: &Experiment, make: Maker<'_>) -> Vec<Claim> {
         },
         "section 5, (1)",
         "tab-eigen has the most fluctuation over different models: the largest variance.".into(),
-        Verdict::of(all(fluctuation.iter().map(|f| f.1))),
+        Verdict::of(every(fluctuation.iter().map(|f| f.1))),
         failing(&fluctuation),
     ));
     let star = printed::UNNECESSARY.1.0;
@@ -167,7 +167,7 @@ pub(super) fn claims(experiment: &Experiment, make: Maker<'_>) -> Vec<Claim> {
         "The valence-3 spikes of Star result in high deviation: its ratio is the one farthest from the median \
          (tab-eigen)."
             .into(),
-        Verdict::of(all(away.iter().map(|(_, name)| is_star(name)))),
+        Verdict::of(every(away.iter().map(|(_, name)| is_star(name)))),
         match elsewhere.is_empty() {
             true => format!("at all {} levels and numbers of local steps", away.len()),
             false => format!("not so in {} of {}: {}", elsewhere.len(), away.len(), listed(&elsewhere)),
@@ -192,7 +192,7 @@ pub(super) fn claims(experiment: &Experiment, make: Maker<'_>) -> Vec<Claim> {
         },
         "section 5, (4)",
         "The variance of tab-approx 2 is low: the lowest of tab-approx and tab-eigen.".into(),
-        Verdict::of(all(low.iter().map(|f| f.1))),
+        Verdict::of(every(low.iter().map(|f| f.1))),
         failing(&low),
     ));
     claims

@@ -2,7 +2,7 @@
 
 use super::{Maker, Name, entries, estimate, hull, one, range_text};
 use crate::paper::peters_wu::experiment::Experiment;
-use crate::paper::words::all;
+use crate::paper::words::every;
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::predict::Estimator;
 use crate::scalar::{Rational, Ring};
@@ -56,7 +56,7 @@ pub(super) fn claims(experiment: &Experiment, make: Maker<'_>) -> Vec<Claim> {
         },
         "introduction, (ii); section 5, (2)",
         "The heuristic is close to measured: within a factor of 2.".into(),
-        Verdict::of(all(close.iter().map(within_two))),
+        Verdict::of(every(close.iter().map(within_two))),
         format!("ratios {factors}"),
     ));
     claims.push(make(

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::{Maker, Name, entries, estimate, range_of, range_text, tabulated};
 use crate::paper::peters_wu::experiment::{Experiment, Row};
-use crate::paper::words::all;
+use crate::paper::words::every;
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::predict::Estimator;
 use crate::scalar::Rational;
@@ -30,7 +30,7 @@ pub(super) fn claims(experiment: &Experiment, make: Maker<'_>) -> Vec<Claim> {
         Name { print: "observation-3-smaller-printed", redone: "observation-3-smaller-redone" },
         "section 5, (3)",
         "tab-interp is consistently smaller than tab-approx.".into(),
-        Verdict::of(all(truths.iter().copied())),
+        Verdict::of(every(truths.iter().copied())),
         format!(
             "smaller in {less} of {} cases; tab-interp / tab-approx: {}. (The two bound different distances, to \
              the interpolating and to the control mesh; both are compared with the latter.)",

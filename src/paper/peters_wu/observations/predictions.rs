@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::{DIGITS, Maker, Name, entries, estimate, hull, listed, one, range_text, tabulated};
 use crate::paper::peters_wu::experiment::Experiment;
-use crate::paper::words::all;
+use crate::paper::words::every;
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::predict::Estimator;
 
@@ -37,7 +37,7 @@ fn bounds(experiment: &Experiment, estimators: &[Estimator]) -> (Option<bool>, S
             listed(&below)
         ),
     };
-    (all(truths), found)
+    (every(truths), found)
 }
 
 /// The claims.
@@ -78,7 +78,7 @@ pub(super) fn claims(experiment: &Experiment, make: Maker<'_>) -> Vec<Claim> {
         "introduction, (iii)",
         "On input polyhedra the tabulated bounds overestimate the distance in the first few steps."
             .into(),
-        Verdict::of(all(first.iter().map(|r| Some(!r.at_most(&one())?)))),
+        Verdict::of(every(first.iter().map(|r| Some(!r.at_most(&one())?)))),
         format!(
             "tab-approx 0 at m = 0 over the distance: {}",
             range_text(hull(&first))
@@ -120,7 +120,7 @@ pub(super) fn claims(experiment: &Experiment, make: Maker<'_>) -> Vec<Claim> {
         },
         "introduction, (iv)",
         "tab-approx 1 and 2 are a small and decreasing multiple of the measured distance.".into(),
-        Verdict::of(all(truths.iter().copied())),
+        Verdict::of(every(truths.iter().copied())),
         format!(
             "multiples {}; they grow from one level to the next in {} of {} cases{}",
             range_text(hull(&multiples)),

@@ -3,7 +3,7 @@
 use super::{Maker, Name, estimate};
 use crate::paper::peters_wu::experiment::{Experiment, Model, Row};
 use crate::paper::peters_wu::printed;
-use crate::paper::words::all;
+use crate::paper::words::every;
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::predict::Estimator;
 
@@ -67,7 +67,7 @@ pub(super) fn claims(experiment: &Experiment, make: Maker<'_>) -> Vec<Claim> {
         format!("tab-approx 2 predicts {one_step} unnecessary step only; for Star {star_steps}."),
         match truths.is_empty() {
             true => Verdict::Undecided,
-            false => Verdict::of(all(truths)),
+            false => Verdict::of(every(truths)),
         },
         format!(
             "unnecessary steps for the tolerance that is just met after k steps, k >= 2: {}",
