@@ -330,7 +330,7 @@ fn compare(net: &Net, question: Question, ours: Scheme) {
         },
         question,
     );
-    let triangles: Vec<[[f64; 3]; 3]> = if question.scheme.is_loop() {
+    let triangles: Vec<[[f64; 3]; 3]> = if matches!(ours, Scheme::Loop(_)) {
         let corner = |face: &Vec<usize>, i: usize| level.points[face[i]];
         level
             .faces
