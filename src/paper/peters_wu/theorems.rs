@@ -250,7 +250,8 @@ pub fn claims(found: &[Found]) -> Vec<Claim> {
         claim(
             "lemma-3",
             "Lemma 3, (8)",
-            "Δ(m, n, v_i)(2^-m σ) = λ_i^m Δ(0, n, v_i)(σ) for all i: the net of level m is λ_i^m times that of level 0.",
+            "Δ(m, n, v_i)(2^-m σ) = λ_i^m Δ(0, n, v_i)(σ) for each eigenvector: its net of level m is λ_i^m times that of \
+             level 0.",
             Verdict::of(truth(&scaling)),
             format!(
                 "{}. Where it is false, A v = λ v + κ f for one v of the basis (n = 3, λ = 1/16): for the others it holds",

@@ -171,7 +171,11 @@ impl Patch {
     }
 
     /// The patch with the Bernstein coefficients χ_i.
-    pub fn new(triangle: Triangle, chi: QuarticTriangle<Point>, candidates: Vec<Facet>) -> Self {
+    pub fn new(
+        triangle: Triangle,
+        chi: QuarticTriangle<Point>,
+        candidates: Vec<Facet>,
+    ) -> Self {
         let all: Vec<usize> = (0..candidates.len()).collect();
         let root = Part::new(chi, &candidates, &all);
         Patch {

@@ -67,9 +67,9 @@ impl<S: Field> Lattice<S> {
 
     /// The sum over the six neighbours.
     fn ring_sum(&self, [p, q]: Place) -> Complex<S> {
-        NEIGHBOURS.iter().fold(Complex::zero(), |sum, [dp, dq]| {
-            sum + self.at([p + dp, q + dq])
-        })
+        NEIGHBOURS
+            .iter()
+            .fold(Complex::zero(), |sum, [dp, dq]| sum + self.at([p + dp, q + dq]))
     }
 
     /// The limit point of a vertex other than O: `P/2 + (Σ of six)/12`.

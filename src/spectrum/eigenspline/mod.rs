@@ -54,7 +54,7 @@ use lattice::{Levels, Triangle};
 use maximum::{Start, enclose};
 use mode::{Label, Net, nets};
 use plane::{Plane, patch_level, spline, vertices};
-use scaling::{above, below};
+use scaling::{below, above};
 
 /// Which polyhedron an eigenspline is held against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

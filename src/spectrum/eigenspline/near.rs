@@ -23,8 +23,9 @@ const TAIL: f64 = 2e-7;
 
 /// λ^r, and `r λ^(r-1) κ` where there is a chain.
 fn powers(net: &Net<Interval>, r: u32) -> (Interval, Interval) {
-    let power =
-        |count: u32| (0..count).fold(Interval::from_integer(1), |power, _| power * net.eigenvalue);
+    let power = |count: u32| {
+        (0..count).fold(Interval::from_integer(1), |power, _| power * net.eigenvalue)
+    };
     let kappa = net.kappa.unwrap_or(Interval::from_integer(0));
     let slope = power(r.saturating_sub(1)) * Interval::from_integer(i64::from(r)) * kappa;
     (power(r), slope)

@@ -23,9 +23,7 @@ pub fn distances(
 ) -> Vec<[Rational; 2]> {
     let enclose = |x: &Rational| Interval::new(round_down(x), round_up(x));
     let power = |r: usize| {
-        (0..r).fold(Interval::from_integer(1), |power, _| {
-            power * eigenvalue.abs()
-        })
+        (0..r).fold(Interval::from_integer(1), |power, _| power * eigenvalue.abs())
     };
     let at_level = |m: usize| {
         let over_rings = (0..=m).map(|r| (r, &rings[m - r], chain.map(|(_, f)| &f.0[m - r])));
