@@ -17,7 +17,7 @@ use crate::predict::kernel::{Kernel, Norms, Sum};
 use crate::predict::table;
 use crate::scalar::{Cyclotomic, Decide, Interval, Ring};
 use crate::spectrum::loop_modes::{Family, loop_modes};
-use crate::spectrum::{Member, Rules, Spectrum};
+use crate::spectrum::{Member, Parity, Rules, Spectrum};
 
 /// Levels of the expansion that are formed.
 const LEVELS: u32 = 3;
@@ -35,7 +35,9 @@ pub struct Found {
     pub reproduction: Option<bool>,
     /// The facets fill the convex hull of the net: Definition 2.1.
     pub convex: Option<bool>,
-    /// Lemma 3: `A v = λ v` for every member of the basis.
+    /// Whether every member of the basis is an eigenvector: no generalised ones.
+    pub diagonal: bool,
+    /// Lemma 3: `A v = λ v`, point by point, for every eigenvector of the basis.
     pub scaling: Option<bool>,
     /// Theorem 1: `A^m Q = Σ p_i λ_i^m v_i` for a net Q.
     pub expansion: Option<bool>,
@@ -66,14 +68,25 @@ impl Found {
             n,
             reproduction: oriented(n, chi).map(|oriented| kept && oriented),
             convex: convex(n, chi),
-            scaling: Some(match small {
-                true => members.iter().all(|&m| acts_as_eigenvalue(&spectrum, m)),
-                // The spectrum verifies A v = λ v + chain when it is made.
-                false => members.iter().all(is_eigenvector),
-            }),
+            diagonal: members.iter().all(is_eigenvector),
+            // Turned and odd nets are combinations of turned even ones: in large fields one of each mode.
+            scaling: Some(
+                (members.iter())
+                    .filter(|m| is_eigenvector(m) && (small || is_first(**m)))
+                    .all(|&m| acts_as_eigenvalue(&spectrum, m)),
+            ),
             expansion: small.then(|| expands(&spectrum)),
             single: single(n),
         })
+    }
+}
+
+/// Whether a member stands for its mode: the even net, or that of sector 0.
+fn is_first(member: Member) -> bool {
+    match member {
+        Member::Constant => true,
+        Member::Inner { parity, .. } => parity == Parity::Even,
+        Member::Outer { sector, .. } => sector == 0,
     }
 }
 
@@ -191,12 +204,12 @@ pub fn claims(found: &[Found]) -> Vec<Claim> {
         found.iter().map(|f| (f.n, part(f))).collect()
     };
     // The hypothesis of the theorems: no generalised eigenvectors, that is Lemma 3.
-    let diagonal = |f: &&Found| f.scaling == Some(true);
+    let diagonal = |f: &&Found| f.diagonal;
     let under: Vec<(u32, Option<bool>)> = (found.iter().filter(diagonal))
         .filter_map(|f| Some((f.n, Some(f.expansion?))))
         .collect();
     let elsewhere: Vec<u32> = (found.iter())
-        .filter(|f| f.scaling == Some(false) && f.expansion == Some(false))
+        .filter(|f| !f.diagonal && f.expansion == Some(false))
         .map(|f| f.n)
         .collect();
     let beyond = match elsewhere.is_empty() {
@@ -253,12 +266,10 @@ pub fn claims(found: &[Found]) -> Vec<Claim> {
             "Δ(m, n, v_i)(2^-m σ) = λ_i^m Δ(0, n, v_i)(σ) for each eigenvector: its net of level m is λ_i^m times that of \
              level 0.",
             Verdict::of(truth(&scaling)),
-            format!(
-                "{}. Where it is false, A v = λ v + κ f for one v of the basis (n = 3, λ = 1/16): for the others it holds",
-                if_true(
-                    &scaling,
-                    "A v = λ v exactly for each of the 1 + 3n eigenvectors"
-                )
+            if_true(
+                &scaling,
+                "A v = λ v exactly at each point, for each of the eigenvectors; at n = 3 one vector of the basis is none: \
+                 see no-generalised-eigenvectors",
             ),
             scope.clone(),
         ),
