@@ -4,6 +4,7 @@ use crate::claim::{CentreDistance, Family};
 use crate::eigen::Angles;
 use crate::file::{File, Step};
 use crate::fixed::Fixed;
+use crate::rational::decimal;
 use crate::reject::{Outcome, Rejection, Rule, ensure};
 use crate::sector::{Lattice, ring_zero};
 
@@ -26,8 +27,12 @@ pub fn check(file: &File, claim: &CentreDistance) -> Outcome<()> {
     let level = Lattice::first(&mode, 0).next(mode.lambda, 3);
     for triangle in ring_zero(1) {
         // The mode has a_j = 1: the third coordinate is its negative.
-        let above = level.patch(triangle).iter().all(|e| e.re.is_at_least_zero());
-        ensure!(above, rule, "triangle {triangle:?}: a coefficient is not shown to be at most 0");
+        for (i, e) in level.patch(triangle).iter().enumerate() {
+            let z = decimal(&(-e.re).near(), 10);
+            let why = "is not shown to be at most 0";
+            let above = e.re.is_at_least_zero();
+            ensure!(above, rule, "triangle {triangle:?}: coefficient {i}, near {z}, {why}");
+        }
     }
     Ok(())
 }

@@ -33,6 +33,16 @@ fn product(a: i128, b: i128) -> Option<(i128, bool)> {
     Some((sum.checked_add((least >> PLACES) as i128)?, least as u64 != 0))
 }
 
+/// The same of factors below 2^94 in magnitude, where nothing can overflow.
+#[inline]
+fn product_of_small(a: i128, b: i128) -> (i128, bool) {
+    let [(a1, a0), (b1, b0)] = [a, b].map(|x| ((x >> PLACES) as i64, x as u64));
+    let least = u128::from(a0) * u128::from(b0);
+    let cross = i128::from(a1) * i128::from(b0) + i128::from(b1) * i128::from(a0);
+    let whole = (i128::from(a1) * i128::from(b1)) << PLACES;
+    (whole + cross + (least >> PLACES) as i128, least as u64 != 0)
+}
+
 /// The same, rounded up.
 fn product_above(a: i128, b: i128) -> Option<i128> {
     product(a, b).map(|(floor, cut)| floor + i128::from(cut))
@@ -49,6 +59,7 @@ impl Fixed {
     pub const ZERO: Self = Self { lo: 0, hi: 0 };
     pub const ONE: Self = Self { lo: 1 << PLACES, hi: 1 << PLACES };
 
+    #[inline]
     fn new(lo: Option<i128>, hi: Option<i128>) -> Self {
         match (lo, hi) {
             (Some(lo), Some(hi)) if lo >= -LIMIT && hi <= LIMIT => Self { lo, hi },
@@ -56,9 +67,26 @@ impl Fixed {
         }
     }
 
+    /// The product of small intervals that do not have 0 inside: the usual case, in a shorter way.
+    #[inline]
+    fn times_small(self, other: Self) -> Option<Self> {
+        let small = |x: Self| (x.lo ^ (x.lo >> 127)) | (x.hi ^ (x.hi >> 127)) < 1 << 94;
+        let one_sign = |x: Self| (x.lo < 0) == (x.hi < 0);
+        if !(small(self) && small(other) && one_sign(self) && one_sign(other)) {
+            return None;
+        }
+        // Of either sign: the ends of least and of largest magnitude.
+        let order = |x: Self| if x.lo < 0 { (x.hi, x.lo) } else { (x.lo, x.hi) };
+        let ((a, b), (c, d)) = (order(self), order(other));
+        let (least, most) = if (a < 0) == (c < 0) { ((a, c), (b, d)) } else { ((b, d), (a, c)) };
+        let (lo, _) = product_of_small(least.0, least.1);
+        let (hi, cut) = product_of_small(most.0, most.1);
+        Some(Self { lo, hi: hi + i128::from(cut) })
+    }
+
     /// False if nothing is known.
     pub fn is_bounded(self) -> bool {
-        self != Self::WHOLE
+        self.lo != i128::MIN
     }
 
     /// The numbers from the first to the second.
@@ -82,7 +110,10 @@ impl Fixed {
 
     /// The middle, as a number by itself: for choices that need no proof.
     pub fn middle(self) -> Self {
-        let middle = self.lo / 2 + self.hi / 2;
+        if !self.is_bounded() {
+            return self;
+        }
+        let middle = (self.lo >> 1) + (self.hi >> 1);
         Self { lo: middle, hi: middle }
     }
 
@@ -216,6 +247,7 @@ impl Fixed {
 
 impl std::ops::Add for Fixed {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         if self.is_bounded() && other.is_bounded() {
             Self::new(self.lo.checked_add(other.lo), self.hi.checked_add(other.hi))
@@ -227,6 +259,7 @@ impl std::ops::Add for Fixed {
 
 impl std::ops::Neg for Fixed {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         if self.is_bounded() { Self { lo: -self.hi, hi: -self.lo } } else { Self::WHOLE }
     }
@@ -234,6 +267,7 @@ impl std::ops::Neg for Fixed {
 
 impl std::ops::Sub for Fixed {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -241,12 +275,16 @@ impl std::ops::Sub for Fixed {
 
 impl std::ops::Mul for Fixed {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         if !self.is_bounded() || !other.is_bounded() {
             return Self::WHOLE;
         }
         if self.is_zero() || other.is_zero() {
             return Self::ZERO;
+        }
+        if let Some(product) = self.times_small(other) {
+            return product;
         }
         // Which ends meet is settled by the signs, with neither factor below 0.
         match (self.hi <= 0, other.hi <= 0) {

@@ -13,7 +13,7 @@
 //! | `basis` | 3: bases, multipliers, weights |
 //! | `proof`, `region`, `cells`, `covering` | 4: the rules |
 //! | `inequality`, `violation`, `mesh` | 7: inequalities that hold, and violated ones |
-//! | `fixed`, `complex`, `eigen`, `sector`, `piece` | 9: intervals on a fixed grid; eigenvectors of the two-ring; their lattices and pieces of surface |
+//! | `fixed`, `complex`, `eigen`, `sector`, `piece`, `tilt` | 9: intervals on a fixed grid; eigenvectors of the two-ring; their lattices and pieces of surface |
 //! | `embedding`, `centre`, `eigensplines` | 9: the rules |
 
 #![forbid(unsafe_code)]
@@ -53,6 +53,7 @@ mod sector;
 mod space;
 mod spline_words;
 mod target;
+mod tilt;
 mod violation;
 mod word;
 mod words;

@@ -4,6 +4,7 @@ use crate::complex::Complex;
 use crate::embedding::{Quarters, WHOLE};
 use crate::fixed::Fixed;
 use crate::sector::Quartic;
+use crate::tilt::tilt;
 
 /// The most quarterings of a patch.
 const SPLITS: usize = 20;
@@ -186,8 +187,20 @@ impl Scene<'_> {
     fn is_below(&self, view: &View, spline: usize, e: &Quartic) -> bool {
         let (face, heights) = (&self.facets[view.facet], &self.heights[spline][view.facet]);
         let bound = (self.bounds[spline] * face.area).square();
-        let gaps = view.areas.iter().zip(e).map(|(areas, e)| face.gap(heights, areas, *e));
-        gaps.map(Complex::norm).all(|norm| norm.at_most(bound))
+        let gaps = |heights: &Heights| -> [Complex; 15] {
+            std::array::from_fn(|i| face.gap(heights, &view.areas[i], e[i]))
+        };
+        let small = |gaps: &[Complex; 15]| gaps.iter().all(|gap| gap.norm().at_most(bound));
+        let plain = gaps(heights);
+        if small(&plain) {
+            return true;
+        }
+        let (u, [a, b, c]) = tilt(&plain, &view.areas);
+        let along = |gap: &Complex| (gap.re * u.re + gap.im * u.im).is_at_least_zero();
+        let allowed = [a, b, c].into_iter().all(Fixed::is_at_least_zero);
+        let [first, second, third] = *heights;
+        let tilted = [first - u * a, second + u * (a - b), third + u * (a - c)];
+        allowed && plain.iter().all(along) && small(&gaps(&tilted))
     }
 
     /// The magnitude of e - E at a point is shown to be at least the bound, on each facet where the point may be.

@@ -18,18 +18,15 @@ use num_traits::One;
 use super::meshes;
 use super::printed;
 use crate::bernstein::from_net::box_spline;
-use crate::certificate::{CentreDistance, Certificate, Claim as Certified, Step};
 use crate::mesh::Point;
 use crate::paper::proof::Named;
 use crate::paper::words::{all, claim};
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::refine::enclose_refined;
-use crate::scalar::{Cyclotomic, Field, Interval, Rational, Ring, cosine};
+use crate::scalar::{Cyclotomic, Field, Interval, Ring};
 use crate::scheme::{CornerRule, LoopWeights, Scheme, Tile, loop_scheme};
+use crate::spectrum::eigenspline::certificates::centre_distance;
 use crate::spectrum::loop_modes::{Family, loop_modes};
-
-/// Bits of the enclosure of a cosine in certificates.
-const COSINE_BITS: u32 = 220;
 
 /// Levels of the whole polyhedron that are looked at.
 const LEVELS: u32 = 6;
@@ -83,19 +80,7 @@ impl Example {
 
     /// The certificate.
     pub fn certificate(&self) -> Option<Named> {
-        // cos(π/(4n)) = cos(2π/(8n)).
-        let twice = cosine::enclose_two_cos(1, 8 * self.n, COSINE_BITS)?;
-        let half = |x: Rational| (x / <Rational as Ring>::from_integer(2)).to_string();
-        let certificate = Certificate::of_inequality(
-            Certified::Centre(CentreDistance {
-                scheme: "loop".into(),
-                weights: self.weights.to_string(),
-                valence: self.n,
-                kind: "centre-distance".into(),
-            }),
-            Some([half(twice.inf_rational()), half(twice.sup_rational())]),
-            vec![Step::Sign {}],
-        );
+        let certificate = centre_distance(self.weights, self.n);
         Some((certificate.file_name()?, certificate))
     }
 }

@@ -123,17 +123,31 @@ pub struct Part {
     pub chi: QuarticTriangle<Point>,
     /// The candidates that are not off.
     near: Vec<usize>,
+    /// Whether it is known to lie over its only candidate.
+    known: bool,
     /// What covers it, if that is certain.
     pub covering: Option<Vec<Covering>>,
     quarters: OnceLock<Box<[Part; 4]>>,
 }
 
 impl Part {
-    fn new(chi: QuarticTriangle<Point>, candidates: &[Facet], named: &[usize]) -> Self {
-        let (near, covering) = cover(candidates, named.iter().copied(), &chi.0);
+    fn new(
+        chi: QuarticTriangle<Point>,
+        candidates: &[Facet],
+        named: &[usize],
+        known: bool,
+    ) -> Self {
+        let (near, covering) = if known {
+            let weights = chi.0.iter().map(|x| candidates[0].weights(x)).collect();
+            let candidate = 0;
+            (vec![0], Some(vec![Covering { candidate, weights }]))
+        } else {
+            cover(candidates, named.iter().copied(), &chi.0)
+        };
         Part {
             chi,
             near,
+            known,
             covering,
             quarters: OnceLock::new(),
         }
@@ -143,7 +157,7 @@ impl Part {
     pub fn quarters(&self, candidates: &[Facet]) -> &[Part; 4] {
         self.quarters.get_or_init(|| {
             let quarters = self.chi.quarters::<Interval>();
-            Box::new(quarters.map(|chi| Part::new(chi, candidates, &self.near)))
+            Box::new(quarters.map(|chi| Part::new(chi, candidates, &self.near, self.known)))
         })
     }
 }
@@ -160,6 +174,16 @@ pub struct Patch {
 }
 
 impl Patch {
+    /// A patch that is known to lie over its only candidate.
+    pub fn over_its_own(
+        triangle: Triangle,
+        chi: QuarticTriangle<Point>,
+        candidates: Vec<Facet>,
+    ) -> Self {
+        let root = Part::new(chi, &candidates, &[0], true);
+        Patch { triangle, candidates, root }
+    }
+
     /// At the χ_i, the affine function with the given values at the corners of the first candidate.
     pub fn chi_values(&self, values: &[Point; 3]) -> Vec<Point> {
         let facet = &self.candidates[0];
@@ -177,7 +201,7 @@ impl Patch {
         candidates: Vec<Facet>,
     ) -> Self {
         let all: Vec<usize> = (0..candidates.len()).collect();
-        let root = Part::new(chi, &candidates, &all);
+        let root = Part::new(chi, &candidates, &all, false);
         Patch {
             triangle,
             candidates,

@@ -31,6 +31,8 @@
 //! | [`maximum`], [`reach`] | the supremum over patches: from above, from below |
 //! | [`near`] | the rings towards the centre |
 //! | [`scaling`] | from D and N to μ |
+//! | [`certificates`] | all this as certificates |
+//! | [`table`] | upper bounds, for programs in a hurry |
 
 use std::fmt;
 
@@ -39,6 +41,7 @@ use rayon::prelude::*;
 use crate::scalar::{Interval, Rational};
 use crate::scheme::LoopWeights;
 
+pub mod certificates;
 pub mod complex;
 pub mod facet_bound;
 pub mod facets;
@@ -49,6 +52,7 @@ pub mod near;
 pub mod plane;
 pub mod reach;
 pub mod scaling;
+pub mod table;
 
 use lattice::{Levels, Triangle};
 use maximum::{Start, enclose};
@@ -140,11 +144,12 @@ pub fn distances(
     levels: usize,
 ) -> Option<Vec<ModeDistances>> {
     let (chi, modes) = nets::<Interval>(weights, n)?;
-    distances_of(&chi, &modes, against, levels)
+    distances_of(n, &chi, &modes, against, levels)
 }
 
 /// [`distances`] of some modes; those that chains lead to must be among them, earlier.
 pub fn distances_of(
+    n: u32,
     chi: &Net<Interval>,
     modes: &[Net<Interval>],
     against: Against,
@@ -152,6 +157,7 @@ pub fn distances_of(
 ) -> Option<Vec<ModeDistances>> {
     let finest = patch_level(last);
     let plane = Plane::new(
+        n,
         &Levels::new(chi, None, finest),
         chi.eigenvalue,
         against,
@@ -191,9 +197,9 @@ fn chained(modes: &[Net<Interval>]) -> Option<&Net<Interval>> {
     modes.iter().find(|net| net.label == mode::CHAINED)
 }
 
-/// Relative gaps that are aimed at for D_0, D_1, ..: on fine levels hundreds of facets are nearly equal,
-/// and each of them would have to be looked at closely.
-const GAPS: [f64; 6] = [5e-5, 5e-5, 1e-4, 2e-4, 3e-4, 5e-4];
+/// Relative gaps that are aimed at for D_0, D_1, .., neither more nor less: on fine levels hundreds of
+/// facets are nearly equal, and each of them would have to be looked at closely, here and by who checks.
+const GAPS: [f64; 6] = [1e-4, 1e-4, 2e-4, 3e-4, 5e-4, 7e-4];
 
 /// D_s.
 pub fn ring_bound(
@@ -218,10 +224,12 @@ pub fn ring_bound(
         })
     };
     let starts: Vec<Start> = (0..label.sectors()).flat_map(start).collect();
-    let found = enclose(&starts, 0.0, GAPS[s.min(GAPS.len() - 1)])?;
+    let gap = GAPS[s.min(GAPS.len() - 1)];
+    let found = enclose(&starts, 0.0, gap)?;
+    let value = found.reached.map_or(0.0, |reached| reached.value);
     Some(Enclosed {
-        lo: below(found.reached.map_or(0.0, |reached| reached.value)),
-        hi: above(found.hi),
+        lo: below(value),
+        hi: above(found.hi.max(value * (1.0 + gap))),
         place: found.reached.map(|reached| reached.place(&starts)),
     })
 }

@@ -17,7 +17,7 @@ use crate::bernstein::triangle::QuarticTriangle;
 use crate::scalar::{Interval, Ring};
 
 /// Relative gap that is aimed at.
-const GAP: f64 = 5e-5;
+const GAP: f64 = 1e-4;
 /// How much of the bound the rings beyond Q may add.
 const TAIL: f64 = 2e-7;
 
@@ -78,9 +78,10 @@ pub fn enclose_near(
         .map(|depth| (depth, tail(plane, net, nets, depth, largest, against)))
         .find(|(depth, tail)| *tail <= found.hi * (1.0 + TAIL) || *depth == MOST_RINGS - 1)?;
     let reached = found.reached.filter(|reached| reached.value > centre.inf());
+    let value = reached.map_or(0.0, |reached| reached.value);
     let enclosed = Enclosed {
-        lo: below(reached.map_or(centre.inf(), |reached| reached.value)),
-        hi: above(found.hi.max(tail)),
+        lo: below(value.max(centre.inf())),
+        hi: above(found.hi.max(tail).max(value * (1.0 + GAP))),
         place: reached.map(|reached| reached.place(&starts)),
     };
     Some((enclosed, depth))

@@ -62,6 +62,7 @@ pub fn vertices(
 impl Plane {
     /// The plane of a characteristic map, up to a level.
     pub fn new(
+        n: u32,
         chi: &Levels<Interval>,
         eigenvalue: Interval,
         against: Against,
@@ -74,11 +75,16 @@ impl Plane {
             let level = patch_level(s);
             let patch = |triangle: Triangle| {
                 let candidates = match s {
+                    _ if n == REGULAR => vec![own(s, triangle)],
                     0 => Triangle::between(0, against.radius()),
                     _ => triangle.touching(),
                 };
                 let candidates = candidates.into_iter().map(|t| facet(s, t)).collect();
-                Patch::new(triangle, spline(chi, level, 0, triangle), candidates)
+                let chi = spline(chi, level, 0, triangle);
+                match n {
+                    REGULAR => Patch::over_its_own(triangle, chi, candidates),
+                    _ => Patch::new(triangle, chi, candidates),
+                }
             };
             ring(level).into_par_iter().map(patch).collect()
         });
@@ -99,6 +105,16 @@ impl Plane {
             eigenvalue,
         }
     }
+}
+
+/// The valence with χ(p, q) = p + q e^(2πi/6), a linear map: it reproduces linear functions, so that the
+/// patch of a triangle lies over the facet of the same name, and at level 0 ring 0 over (O, a_0, a_1).
+/// Limit points are the same. Nothing has to be shown of signs, which are 0 along all edges.
+const REGULAR: u32 = 6;
+
+/// The facet of level s under a triangle at valence 6.
+fn own(s: usize, triangle: Triangle) -> Triangle {
+    if s == 0 { CENTRE } else { triangle }
 }
 
 /// The facet (O, a_0, a_1).

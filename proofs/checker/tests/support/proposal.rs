@@ -185,8 +185,8 @@ fn mode(case: &Case, Name(family, frequency): Name, webs: usize) -> (Mode, Optio
     (Mode { lambda, kappa, levels }, chain)
 }
 
-/// A facet: the corners, and the values there.
-type Facet = ([Point; 3], [Point; 3]);
+/// A facet: its place, the corners, and the values there.
+type Facet = (Triangle, [Point; 3], [Point; 3]);
 
 fn facets(case: &Case, [chi, e]: [&Web; 2], j: usize, radius: i64) -> Vec<Facet> {
     let limit = case.against == "limit";
@@ -200,12 +200,12 @@ fn facets(case: &Case, [chi, e]: [&Web; 2], j: usize, radius: i64) -> Vec<Facet>
         }
     };
     let (z, y) = (vertices(chi), vertices(e));
-    triangles(0, radius).into_iter().map(|t| (corners(t).map(&z), corners(t).map(&y))).collect()
+    triangles(0, radius).into_iter().map(|t| (t, corners(t).map(&z), corners(t).map(&y))).collect()
 }
 
 /// |e - E|, where there is a facet.
 fn gap(facets: &[Facet], z: Point, e: Point) -> Option<f64> {
-    facets.iter().find_map(|(corners, values)| {
+    facets.iter().find_map(|(_, corners, values)| {
         let b = barycentric(*corners, z);
         let inside = b.iter().all(|x| *x > -1e-12);
         inside.then(|| size((0..3).fold(e, |d, i| add(d, -b[i], values[i]))))
@@ -231,24 +231,27 @@ fn maximum(f: &dyn Fn(f64, f64) -> Option<f64>) -> (f64, [i64; 2]) {
         valid.then(|| f(v, w)).flatten().unwrap_or(0.0)
     };
     let grid = (0..=16).flat_map(|i| (0..=16 - i).map(move |k| [i, k].map(|x| x * UNIT / 16)));
-    let mut best =
-        grid.map(|p| (at(p), p)).fold((-1.0, [0, 0]), |a, b| if b.0 > a.0 { b } else { a });
-    let mut step = UNIT / 16;
-    while step > 1 {
-        let around = (-2..=2).flat_map(|i| (-2..=2).map(move |k| [i, k]));
-        let old = best;
-        for [i, k] in around {
-            let point = [old.1[0] + i * step / 2, old.1[1] + k * step / 2];
-            let found = at(point);
-            if found > best.0 {
-                best = (found, point);
+    let mut starts: Vec<_> = grid.map(|p| (at(p), p)).collect();
+    starts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    // Finer and finer grids round the best points: ridges, at the edges of facets, run in any direction.
+    let climb = |start: &(f64, [i64; 2])| {
+        let (mut best, mut step) = (*start, UNIT as f64 / 16.0);
+        while step > 1.0 {
+            let middle = best.1;
+            for (i, k) in (-3..=3).flat_map(|i| (-3..=3).map(move |k| (i, k))) {
+                let [v, w] =
+                    [(0, i), (1, k)].map(|(d, i)| middle[d] + (f64::from(i) * step / 3.0) as i64);
+                let found = at([v, w]);
+                if found > best.0 {
+                    best = (found, [v, w]);
+                }
             }
+            step *= 0.6;
         }
-        if best.1 == old.1 {
-            step /= 2;
-        }
-    }
-    best
+        best
+    };
+    let tops = starts.iter().take(12).map(climb);
+    tops.fold((-1.0, [0, 0]), |a, b| if b.0 > a.0 { b } else { a })
 }
 
 fn rational(x: f64) -> BigRational {
@@ -290,6 +293,12 @@ fn search(case: &Case, name: Name, slack: f64, depth: usize) -> Found {
             let z = patch(&chi.levels[t], sector, triangle);
             let y = patch(&e.levels[t], sector, triangle);
             let f = chain.as_ref().map(|f| patch(&f.levels[t], sector, triangle));
+            // Of the same level, those not far away.
+            let near = |facet: &&Facet| {
+                let apart = |i: usize| (facet.0[i] - triangle[i]).abs() <= 2;
+                level == 0 || ring > 0 || (apart(0) && apart(1))
+            };
+            let near: Vec<_> = facets.iter().filter(near).copied().collect();
             let scale = |x: Point, c: f64| x.map(|x| x * c);
             let r = ring as i32;
             let value = |v: f64, w: f64| {
@@ -299,7 +308,7 @@ fn search(case: &Case, name: Name, slack: f64, depth: usize) -> Found {
                     let share = f64::from(r) * e.lambda.powi(r - 1) * e.kappa;
                     y = add(y, share, self::value(f, v, w));
                 }
-                gap(facets, z, y)
+                gap(&near, z, y)
             };
             let (found, point) = maximum(&value);
             if found > best.value {
@@ -329,7 +338,7 @@ fn search(case: &Case, name: Name, slack: f64, depth: usize) -> Found {
         over(1, &all[..1], j, r)
     });
     let best = best.reduce(larger).unwrap();
-    let centre = facets(case, [&chi.levels[0], &e.levels[0]], 0, 2)[0].1[0][0].abs();
+    let centre = facets(case, [&chi.levels[0], &e.levels[0]], 0, 2)[0].2[0][0].abs();
     let near = best.value.max(centre);
     let at = if centre >= best.value { Value::Null } else { spot(&best, true) };
     let (lo, hi) = (text(near * (1.0 - 1e-6)), text(near * (1.0 + slack)));
