@@ -6,11 +6,12 @@ use super::Facets;
 use super::metric::Aabb;
 use super::shape::{Outline, Shape};
 use crate::mesh::{Point, Topology};
-use crate::patch::{Corners, Lane};
+use crate::patch::Lane;
 use crate::scalar::float::UNIT_ROUNDOFF;
 
-/// Halvings after which a piece of a facet is not split any further: its parameters are exact.
-const DEEPEST: u32 = 48;
+/// Halvings after which a piece of a facet is not split any further: both its sides are then 2^-48 of
+/// the facet's.
+const DEEPEST: u32 = 96;
 
 /// The facets of a mesh.
 ///
@@ -32,18 +33,12 @@ pub struct FacetSet {
 #[derive(Clone, Debug)]
 pub struct FacetPiece {
     outline: Outline,
-    parameters: Corners,
     halvings: u32,
 }
 
 impl FacetPiece {
-    /// A piece with these corners, parameters and halvings behind it.
-    pub(super) fn new(
-        corners: [Lane; 4],
-        count: usize,
-        slack: f64,
-        (parameters, halvings): (Corners, u32),
-    ) -> Self {
+    /// A piece with these corners, each off by at most `slack`, a vector.
+    pub(super) fn new(corners: [Lane; 4], count: usize, slack: f64) -> Self {
         FacetPiece {
             outline: Outline {
                 corners,
@@ -51,8 +46,7 @@ impl FacetPiece {
                 thickness: slack,
                 slack,
             },
-            parameters,
-            halvings,
+            halvings: 0,
         }
     }
 }
@@ -68,7 +62,7 @@ impl FacetSet {
     /// above `largest` in magnitude.
     ///
     /// Error of a corner: the centroid of m vertices takes m + 1 roundings, each halving of a facet
-    /// one: at most `(m + 1 + 48) u L` per coordinate beside the radius.
+    /// one: at most `(m + 1 + 96) u L` per coordinate beside the radius.
     pub fn new(
         topology: &Topology,
         positions: &[Point<f64>],
@@ -113,7 +107,7 @@ impl FacetSet {
             triangles,
             quads,
             faces,
-            slack: 1.7321 * (radius + (sides as f64 + 50.0) * UNIT_ROUNDOFF * largest),
+            slack: 1.7321 * (radius + (sides as f64 + 98.0) * UNIT_ROUNDOFF * largest),
         }
     }
 
@@ -138,9 +132,6 @@ pub(super) fn quarter(points: &[Lane], i: usize) -> [Lane; 4] {
     ]
 }
 
-const UNIT_TRIANGLE: Corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
-const UNIT_SQUARE: Corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-
 impl Shape for FacetSet {
     type Piece = FacetPiece;
     type Scratch = ();
@@ -156,10 +147,10 @@ impl Shape for FacetSet {
     fn open(&self, item: u32, (): &mut (), out: &mut Vec<FacetPiece>) {
         let item = item as usize;
         out.push(match self.triangles.get(item) {
-            Some([a, b, c]) => FacetPiece::new([*a, *b, *c, *a], 3, self.slack, (UNIT_TRIANGLE, 0)),
+            Some([a, b, c]) => FacetPiece::new([*a, *b, *c, *a], 3, self.slack),
             None => {
                 let quad = self.quads[item - self.triangles.len()];
-                FacetPiece::new(quad, 4, self.slack, (UNIT_SQUARE, 0))
+                FacetPiece::new(quad, 4, self.slack)
             }
         });
     }
@@ -170,12 +161,9 @@ impl Shape for FacetSet {
         if piece.halvings >= DEEPEST {
             return;
         }
-        let (c, p) = (&piece.outline.corners, &piece.parameters);
-        let middle = |i: usize, j: usize| {
-            let at = [0.5 * (p[i][0] + p[j][0]), 0.5 * (p[i][1] + p[j][1])];
-            ((c[i] + &c[j]) * &0.5, at)
-        };
-        let corner = |i: usize| (c[i], p[i]);
+        let c = &piece.outline.corners;
+        let middle = |i: usize, j: usize| (c[i] + &c[j]) * &0.5;
+        let corner = |i: usize| c[i];
         let side = |i: usize, j: usize| (c[i] - &c[j]).norm_squared();
         let halves = if piece.outline.count == 3 {
             let sides = [side(0, 1), side(1, 2), side(2, 0)];
@@ -193,10 +181,9 @@ impl Shape for FacetSet {
         for half in halves {
             out.push(FacetPiece {
                 outline: Outline {
-                    corners: half.map(|(c, _)| c),
+                    corners: half,
                     ..piece.outline
                 },
-                parameters: half.map(|(_, p)| p),
                 halvings: piece.halvings + 1,
             });
         }
@@ -208,10 +195,6 @@ impl Shape for FacetSet {
 
     fn hull(&self, piece: &FacetPiece, visit: impl FnMut(&Lane)) {
         piece.outline.corners().iter().for_each(visit);
-    }
-
-    fn parameters(&self, piece: &FacetPiece) -> (Corners, u32) {
-        (piece.parameters, piece.halvings)
     }
 
     fn boxes(&self) -> Vec<Aabb> {

@@ -22,6 +22,7 @@
 //! | `probe` | how near is a set to a point, or to the hull of a few points |
 //! | `own` | surface and own mesh over the same parameters, which settles nearly everything |
 //! | `search` | the branch and bound for the rest |
+//! | `sides` | one side or both, with matching or without |
 //! | `measure` | from meshes to an enclosure in their own unit |
 //!
 //! *Why the bounds hold.* Upper bounds: the distance to a convex set is a convex function, so over a
@@ -36,6 +37,7 @@ mod own;
 mod probe;
 mod search;
 mod shape;
+mod sides;
 mod surface;
 
 pub use measure::{measure, mesh_to_mesh};

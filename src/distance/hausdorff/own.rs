@@ -24,7 +24,7 @@ use crate::distance::model::Model;
 use crate::distance::search::Queue;
 use crate::mesh::{Point, Topology};
 use crate::patch::quad_net::bilinear;
-use crate::patch::{Corners, Float, Lane};
+use crate::patch::{Float, Lane};
 use crate::scalar::float::UNIT_ROUNDOFF;
 
 /// Which set is asked about.
@@ -135,7 +135,6 @@ pub struct Facet {
     corners: [Lane; 4],
     count: usize,
     slack: f64,
-    at: (Corners, u32),
 }
 
 /// The surface is asked about.
@@ -153,7 +152,7 @@ impl<M: Model<Float>> Leftover<M> for OfSurface {
 impl<M: Model<Float>> Leftover<M> for OfMesh {
     type Piece = FacetPiece;
     fn leave(_: SurfacePiece<M>, facet: Facet) -> Self::Piece {
-        FacetPiece::new(facet.corners, facet.count, facet.slack, facet.at)
+        FacetPiece::new(facet.corners, facet.count, facet.slack)
     }
 }
 
@@ -188,7 +187,7 @@ impl<M: Model<Float>> OwnMesh<'_, M> {
     }
 
     fn matched(&self, item: u32, face: &Face, piece: SurfacePiece<M>) -> Matched<M> {
-        let (corners, _) = self.surface.parameters(&piece);
+        let corners = self.surface.parameters(&piece);
         let facet = corners.map(|at| self.at(item, face, at));
         let outline = self.surface.outline(&piece);
         let mut value = 0.0_f64;
@@ -313,7 +312,6 @@ impl<M: Model<Float>> OwnMesh<'_, M> {
                 corners: matched.facet,
                 count: outline.count,
                 slack: self.slack,
-                at: self.surface.parameters(&matched.piece),
             };
             done.left.push(Open {
                 bound: bound.min(hull),

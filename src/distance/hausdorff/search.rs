@@ -28,6 +28,8 @@ pub struct Closeness {
     pub relative: f64,
     /// Lengths up to this are at the level of rounding errors.
     pub noise: f64,
+    /// Number of pieces after which to stop undecided.
+    pub cells: u64,
     /// When to stop in any case.
     pub deadline: Option<Instant>,
 }
@@ -352,7 +354,7 @@ impl<A: Shape, B: Shape> Search<'_, A, B> {
             }
             open = still;
             progress(open.len());
-            if open.is_empty() || self.closeness.late() {
+            if open.is_empty() || self.closeness.late() || result.cells > self.closeness.cells {
                 break;
             }
             // Stable: equal bounds stay in the order in which they came.

@@ -1,7 +1,7 @@
 //! What a set is to the search: items that open into pieces, and pieces that split.
 
 use super::metric::{Aabb, foot, length};
-use crate::patch::{Corners, Lane};
+use crate::patch::Lane;
 
 /// A piece as seen from outside: a triangle or bilinear quad with a thickness.
 ///
@@ -80,9 +80,6 @@ pub trait Shape: Sync {
 
     /// Visits points whose hull holds the piece, each off by at most the outline's slack.
     fn hull(&self, piece: &Self::Piece, visit: impl FnMut(&Lane));
-
-    /// Parameters of the corners in the face, and the number of halvings behind them.
-    fn parameters(&self, piece: &Self::Piece) -> (Corners, u32);
 
     /// The items' boxes.
     fn boxes(&self) -> Vec<Aabb>;

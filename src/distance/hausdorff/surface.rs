@@ -2,7 +2,7 @@
 //!
 //! A face's pieces are computed relative to its first corner and then moved there, which rounds once
 //! more. The errors of [`crate::patch::rounding`] are charged in full when the face is opened, for
-//! [`DEEPEST`] steps and as many halvings; no piece goes deeper.
+//! half of [`DEEPEST`] steps and for [`DEEPEST`] halvings; no piece goes deeper.
 
 use rayon::prelude::*;
 
@@ -16,8 +16,9 @@ use crate::patch::rounding::Extent;
 use crate::patch::{Corners, Float, Lane, Sink};
 use crate::scalar::float::UNIT_ROUNDOFF;
 
-/// Local steps plus halvings of a piece, at most: parameters are exact, sizes down to 1e-12.
-const DEEPEST: u32 = 40;
+/// Halvings of a piece, at most, a local step counting as two (one in each direction): parameters are
+/// exact, sizes down to 1e-12.
+const DEEPEST: u32 = 80;
 
 /// A surface, face by face.
 pub struct SurfaceSet<'a, M> {
@@ -42,7 +43,7 @@ pub struct SurfacePiece<M: Model<Float>> {
     cell: Cell<M::Patch, M::Net>,
     base: Lane,
     corners: Corners,
-    /// Local steps and halvings.
+    /// Halvings, and twice the local steps.
     depth: u32,
     outline: Outline,
 }
@@ -112,6 +113,11 @@ impl<'a, M: Model<Float>> SurfaceSet<'a, M> {
         count::<M>() == 3
     }
 
+    /// Parameters of a piece's corners in the face.
+    pub fn parameters(&self, piece: &SurfacePiece<M>) -> Corners {
+        piece.corners
+    }
+
     fn slack(&self, gathered: Gathered) -> f64 {
         surface_slack(gathered, self.radius, self.largest)
     }
@@ -154,7 +160,7 @@ impl<'a, M: Model<Float>> SurfaceSet<'a, M> {
         if count::<M>() == 3 {
             ends[3] = ends[0];
         }
-        let (corners, depth) = self.model.net_place(&net);
+        let (corners, steps) = self.model.net_place(&net);
         let mut thickness = 0.0_f64;
         for p in self.model.net_points(&net) {
             for c in &ends {
@@ -171,7 +177,7 @@ impl<'a, M: Model<Float>> SurfaceSet<'a, M> {
             cell: Cell::Net(net),
             base,
             corners,
-            depth,
+            depth: 2 * steps,
             outline,
         }
     }
@@ -192,8 +198,8 @@ impl<'a, M: Model<Float>> SurfaceSet<'a, M> {
                 out.push(self.net(net, base, slack));
             }
         }
-        for (patch, corners, depth) in fresh.patches.drain(..) {
-            out.push(self.patch(patch, base, slack, corners, depth));
+        for (patch, corners, steps) in fresh.patches.drain(..) {
+            out.push(self.patch(patch, base, slack, corners, 2 * steps));
         }
     }
 }
@@ -207,7 +213,7 @@ pub(super) fn surface_slack(gathered: Gathered, radius: f64, largest: f64) -> f6
         mesh_radius: radius,
     };
     // Coefficients are within sqrt(3) of the size of the net.
-    let relative = extent.radius(DEEPEST + 1, DEEPEST, 2.0 * gathered.size);
+    let relative = extent.radius(DEEPEST / 2 + 1, DEEPEST, 2.0 * gathered.size);
     1.7321 * (relative + 2.0 * UNIT_ROUNDOFF * largest)
 }
 
@@ -278,10 +284,6 @@ impl<M: Model<Float>> Shape for SurfaceSet<'_, M> {
                 }
             }
         }
-    }
-
-    fn parameters(&self, piece: &Self::Piece) -> (Corners, u32) {
-        (piece.corners, piece.depth)
     }
 
     fn boxes(&self) -> Vec<Aabb> {
