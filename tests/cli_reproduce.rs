@@ -143,7 +143,10 @@ fn all_papers_share_a_folder_and_an_index() {
         }
     }
     let ids: Vec<&str> = papers.iter().filter_map(|p| p["paper"].as_str()).collect();
-    assert_eq!(ids, ["huang-wang", "cheng-yong", "lanquetin-neveu"]);
+    assert_eq!(
+        ids,
+        ["huang-wang", "cheng-yong", "lanquetin-neveu", "peters-wu"]
+    );
     let verdicts = all["verdicts"].as_object().expect("counts");
     let counted: u64 = verdicts.values().filter_map(Value::as_u64).sum();
     assert_eq!(counted, claims);

@@ -84,6 +84,9 @@ impl Spectrum {
             (SchemeName::DooSabin | SchemeName::None, _) => {
                 bail!("spectra are known of two schemes: use --scheme loop or catmull-clark")
             }
+            (SchemeName::None, _) => {
+                bail!("without a scheme there is no spectrum: use --scheme loop or catmull-clark")
+            }
         })
     }
 }
