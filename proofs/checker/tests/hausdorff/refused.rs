@@ -218,7 +218,9 @@ fn all_corners_count() {
     assert_eq!(claim("surface-to-mesh", "201/100", near_mesh), "verified");
     // The limit of corner 0 is (0, 1/48, 0).
     assert_eq!(claim("mesh-to-surface", "1/2", near_surface.clone()), "near-surface");
-    assert_eq!(claim("mesh-to-surface", "101/100", near_surface), "verified");
+    // It is 1.0054 from the last corner.
+    assert_eq!(claim("mesh-to-surface", "10053/10000", near_surface.clone()), "near-surface");
+    assert_eq!(claim("mesh-to-surface", "2011/2000", near_surface), "verified");
 }
 
 #[test]
@@ -250,4 +252,97 @@ fn facets_that_do_not_count_are_no_place() {
     assert_eq!(verdict(&with(&file, &[("/steps/0/at", at(4))])), "verified");
     assert_eq!(verdict(&with(&file, &[("/steps/0/at", at(3))])), "far");
     assert_eq!(verdict(&with(&file, &[("/steps/0/at", at(9))])), "far");
+}
+
+/// Regular nets in the plane z = 0 but for one more vertex that is not: it is a neighbour of the third corner, so that its
+/// valence is 7, or it makes a pentagon of a quad beside the face. Without it there would be nothing above the plane.
+#[test]
+fn nets_with_one_more_vertex_are_not_regular() {
+    let place = |p: [i32; 2]| [f64::from(p[0]), f64::from(p[1]), 0.0];
+    let lattice = [
+        [0, -1],
+        [-1, 0],
+        [1, -1],
+        [0, 0],
+        [-1, 1],
+        [2, -1],
+        [1, 0],
+        [0, 1],
+        [-1, 2],
+        [2, 0],
+        [1, 1],
+        [0, 2],
+    ];
+    let mut triangles = octahedron();
+    triangles.points = lattice.map(place).to_vec();
+    triangles.points.push([-2.0, 2.0, 1.0]);
+    let faces = [
+        [4, 7, 8],
+        [4, 8, 5],
+        [4, 5, 2],
+        [4, 2, 1],
+        [4, 1, 3],
+        [4, 3, 7],
+        [7, 3, 6],
+        [7, 6, 10],
+        [7, 10, 11],
+        [7, 11, 8],
+        [8, 11, 12],
+        [8, 12, 9],
+        [8, 9, 13],
+        [8, 13, 5],
+    ];
+    triangles.faces = faces.map(|face| face.map(|i| i - 1).to_vec()).to_vec();
+    let mut quads = grid(4, false, |_, _| 0.0);
+    quads.points.push([-1.0, 0.5, 1.0]);
+    quads.faces[0].push(16);
+    for (example, face) in [(triangles, 0), (quads, 4)] {
+        let large = vec![[-20.0, -20.0, 0.0], [50.0, -20.0, 0.0], [-20.0, 50.0, 0.0]];
+        let example = Example {
+            boundary: "none",
+            side: "surface-to-mesh",
+            against: "other",
+            other: Some((large, vec![vec![0, 1, 2]])),
+            depth: 1,
+            slack: 20.0,
+            ..example
+        };
+        let mut file = example.propose().file;
+        file["claim"]["lo"] = json!("0");
+        file["steps"] = json!([
+            {"rule": "far", "side": "surface-to-mesh", "at": {"face": face, "word": "", "corner": 0}},
+            {"rule": "near-mesh", "cells": [[face, "", 0]]},
+        ]);
+        let told = |hi: &str| verdict(&with(&file, &[("/claim/hi", json!(hi))]));
+        assert_eq!((told("1/1000"), told("1001/1000")), ("near-mesh", "verified"));
+    }
+}
+
+/// The limit of (1, 1), flat but for one edge neighbour at height 1, is at `(2 + 4 (1/4 + 1/4))/36 = 1/9` for quads and at
+/// `1/12` for triangles; refinement does not move it.
+#[test]
+fn limits_known_by_hand_are_those_of_all_levels() {
+    let spike = |i: f64, j: f64| if (i, j) == (1.0, 0.0) { 1.0 } else { 0.0 };
+    let below = vec![[-20.0, -20.0, -1.0], [50.0, -20.0, -1.0], [-20.0, 50.0, -1.0]];
+    for (triangles, face, lo, above) in
+        [(false, 4, "1111/1000", "139/125"), (true, 8, "1083/1000", "271/250")]
+    {
+        let example = Example {
+            boundary: "none",
+            side: "surface-to-mesh",
+            against: "other",
+            other: Some((below.clone(), vec![vec![0, 1, 2]])),
+            depth: 1,
+            slack: 20.0,
+            ..grid(4, triangles, spike)
+        };
+        let file = example.propose().file;
+        for word in ["", "0", "000"] {
+            let at = json!({"face": face, "word": word, "corner": 0});
+            let told = |lo: &str| {
+                verdict(&with(&file, &[("/steps/0/at", at.clone()), ("/claim/lo", json!(lo))]))
+            };
+            assert_eq!((told(lo), told(above)), ("verified", "far"), "{word:?}");
+        }
+    }
 }
