@@ -32,7 +32,7 @@ fn view(mesh: &Mesh<Rational>) -> MeshView<'_, Exact> {
     MeshView {
         topology: &mesh.topology,
         positions: &mesh.positions,
-        against: Against::Control,
+        compared: Against::Control.facet(),
     }
 }
 

@@ -81,8 +81,8 @@ impl Spectrum {
             (SchemeName::Loop, Some(WeightsName::Warren)) => Rules::Loop(LoopWeights::Warren),
             (SchemeName::Loop, _) => Rules::Loop(LoopWeights::Original),
             (SchemeName::CatmullClark, _) => Rules::CatmullClark,
-            (SchemeName::DooSabin | SchemeName::None, _) => {
-                bail!("spectra are known of two schemes: use --scheme loop or catmull-clark")
+            (SchemeName::DooSabin, _) => {
+                bail!("spectra of doo-sabin are not known: use --scheme loop or catmull-clark")
             }
             (SchemeName::None, _) => {
                 bail!("without a scheme there is no spectrum: use --scheme loop or catmull-clark")
