@@ -227,3 +227,6 @@ fn quarter(rows: &[Vec<(i64, usize)>], net: &Quartic) -> Quartic {
     let row = |i: usize| rows[i].iter().map(|(c, at)| (*c, net[*at]));
     std::array::from_fn(|i| Complex::mean(row(i), WHOLE))
 }
+
+#[cfg(test)]
+mod tests;
