@@ -50,3 +50,4 @@ pub mod refine;
 pub mod report;
 pub mod scalar;
 pub mod scheme;
+pub mod spectrum;
