@@ -4,12 +4,15 @@
 //! cargo run --release --example author_proofs
 //! ```
 //!
-//! With `-- --only-rejected` the certificates stay as they are.
+//! With `-- --only-rejected` the certificates stay as they are; with `-- --only eigensplines` all files but
+//! those about eigensplines, characteristic maps and centres do.
 //!
 //! The certificates are what `subcert bound` writes for n = 3..50, and what `subcert reproduce` writes of
 //! inequalities. A rejected file is a certificate with
 //! one fault, named `<rule>-<fault>.json` after the rule that must reject it.
 
+mod eigen_faults;
+mod eigensplines;
 mod loop_faults;
 mod quad_faults;
 mod violation_faults;
@@ -34,14 +37,28 @@ fn main() -> Result<(), Box<dyn Error>> {
     if !folder.join("FORMAT.md").exists() {
         return Err("run this from the repository's root".into());
     }
+    let [certificates, rejected] = ["certificates", "rejected"].map(|name| folder.join(name));
+    let table = Path::new("src/spectrum/eigenspline/table.txt");
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] | ["--only-rejected"] => (),
+        ["--only", "eigensplines"] => {
+            eigen_faults::write_all(&rejected)?;
+            eigensplines::remove(&certificates)?;
+            return eigensplines::write_all(&certificates, table);
+        }
+        _ => return Err("usage: author_proofs [--only-rejected | --only eigensplines]".into()),
+    }
     renew(&folder.join("rejected"))?;
+    eigen_faults::write_all(&rejected)?;
     loop_faults::write_all(&folder.join("rejected"))?;
     quad_faults::write_all(&folder.join("rejected"))?;
     violation_faults::write_all(&folder.join("rejected"))?;
-    if std::env::args().any(|argument| argument == "--only-rejected") {
+    if !arguments.is_empty() {
         return Ok(());
     }
     renew(&folder.join("certificates"))?;
+    eigensplines::write_all(&certificates, table)?;
     for (family, valences, list) in committed() {
         let rows = constants(family, &valences.collect::<Vec<_>>(), &list);
         write_certificates(&folder.join("certificates"), &rows)?;

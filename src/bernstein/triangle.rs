@@ -12,6 +12,14 @@ pub const fn index(j: usize, k: usize) -> usize {
     (j + k) * (j + k + 1) / 2 + k
 }
 
+/// The corners (v, w) of the quarters of a triangle, in halves.
+pub const QUARTER_CORNERS: [[[usize; 2]; 3]; 4] = [
+    [[0, 0], [1, 0], [0, 1]],
+    [[1, 0], [2, 0], [1, 1]],
+    [[0, 1], [1, 1], [0, 2]],
+    [[1, 1], [0, 1], [1, 0]],
+];
+
 /// A quartic Bézier triangle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuarticTriangle<V>(pub [V; 15]);
@@ -53,6 +61,35 @@ impl<V> QuarticTriangle<V> {
             c3,
             f2.clone(),
         ])
+    }
+
+    /// The four quarters: at the corners 0, 1, 2 and in the middle.
+    ///
+    /// Their corners in this triangle: (0,0), (1/2,0), (0,1/2); (1/2,0), (1,0), (1/2,1/2); (0,1/2),
+    /// (1/2,1/2), (0,1); (1/2,1/2), (0,1/2), (1/2,0) ([`QUARTER_CORNERS`]). Coefficient (i, j, k) of a
+    /// quarter with the corners A, B, C is the blossom at A i times, B j times, C k times: midpoints only.
+    pub fn quarters<S: Field>(&self) -> [Self; 4]
+    where
+        V: Module<S>,
+    {
+        QUARTER_CORNERS.map(|corners| {
+            let [a, b, c] = corners.map(|[v, w]| ends([v, w]));
+            let mut quarter = self.clone();
+            let mut after_a = self.0.clone();
+            for i in 0..=4 {
+                let mut after_b = after_a.clone();
+                for j in 0..=4 - i {
+                    let mut after_c = after_b.clone();
+                    for k in 0..4 - i - j {
+                        blossom::<S, V>(&mut after_c, 4 - i - j - k, c);
+                    }
+                    quarter.0[index(j, 4 - i - j)] = after_c[0].clone();
+                    blossom::<S, V>(&mut after_b, 4 - i - j, b);
+                }
+                blossom::<S, V>(&mut after_a, 4 - i, a);
+            }
+            quarter
+        })
     }
 
     /// Subtracts another patch, coefficient by coefficient.
@@ -168,6 +205,41 @@ impl<S: Field, V: Module<S>> Patch<S, V> for QuarticTriangle<V> {
         ];
         let value = level[0].clone() * &u + &(level[1].clone() * v) + &(level[2].clone() * w);
         (value, gradient)
+    }
+}
+
+/// The two corners that a corner or the middle of an edge, in halves, is the midpoint of, as steps of
+/// (j, k).
+fn ends([v, w]: [usize; 2]) -> [(usize, usize); 2] {
+    const CORNERS: [(usize, usize); 3] = [(0, 0), (1, 0), (0, 1)];
+    match (v, w) {
+        (0, 0) => [CORNERS[0]; 2],
+        (2, 0) => [CORNERS[1]; 2],
+        (0, 2) => [CORNERS[2]; 2],
+        (1, 0) => [CORNERS[0], CORNERS[1]],
+        (0, 1) => [CORNERS[0], CORNERS[2]],
+        _ => [CORNERS[1], CORNERS[2]],
+    }
+}
+
+/// One argument of the blossom of a form of the given degree: from the coefficients of that degree to
+/// those of one degree less, in place. Entry (j, k) is read last when it is written.
+fn blossom<S: Field, V: Module<S>>(
+    c: &mut [V; 15],
+    degree: usize,
+    [one, two]: [(usize, usize); 2],
+) {
+    for r in 0..degree {
+        for k in 0..=r {
+            let j = r - k;
+            let at = |(dj, dk): (usize, usize)| &c[index(j + dj, k + dk)];
+            let value = if one == two {
+                at(one).clone()
+            } else {
+                midpoint::<S, V>(at(one), at(two))
+            };
+            c[index(j, k)] = value;
+        }
     }
 }
 

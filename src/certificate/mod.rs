@@ -7,8 +7,13 @@ use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
 
+mod eigenspline;
 mod violation;
 
+pub use eigenspline::{
+    CentreDistanceClaim, CharacteristicMapClaim, EigensplineClaim, ModeClaim, NearStep, RingStep,
+    SplineAt,
+};
 pub use violation::{Form, MeshViolation, NetInequality, NetViolation};
 
 /// A certificate file.
@@ -21,7 +26,7 @@ pub struct Certificate {
     pub version: u32,
     /// What is proved.
     pub claim: Claim,
-    /// An enclosure of cos(π/n), where the ring weight is irrational.
+    /// An enclosure of cos(π/n), where the ring weight is irrational; of cos(π/(4n)) for eigensplines.
     pub cosine: Option<[String; 2]>,
     /// Sets of second differences, numbered from 1.
     pub bases: Vec<Vec<usize>>,
@@ -41,6 +46,12 @@ pub enum Claim {
     Net(NetViolation),
     /// A closed mesh that violates one.
     Mesh(MeshViolation),
+    /// Distances of eigensplines from their polyhedra.
+    Eigensplines(EigensplineClaim),
+    /// A characteristic map is an embedding.
+    CharacteristicMap(CharacteristicMapClaim),
+    /// The distance of the centre of every level.
+    CentreDistance(CentreDistanceClaim),
 }
 
 /// A constant lies between lo and hi.
@@ -215,6 +226,20 @@ pub enum Step {
         /// Rationals, one for each point of the local net.
         net: Vec<String>,
     },
+    /// Enclosures of the suprema over one ring, and over those nearer to the centre, of an eigenspline.
+    Rings {
+        /// By level of the facets.
+        rings: Vec<RingStep>,
+        /// The others.
+        near: NearStep,
+    },
+    /// The characteristic map is regular and injective.
+    Embedding {
+        /// Quarterings that the sign of the Jacobian may need.
+        splits: u32,
+    },
+    /// The third coordinate has one sign: nothing to add.
+    Sign {},
     /// The claim's mesh violates LN's recurrence: nothing to add.
     Recurrence {},
     /// The claim's mesh violates LN's rate: nothing to add.
@@ -276,7 +301,7 @@ pub enum By {
 }
 
 impl Certificate {
-    /// A certificate of an inequality or a violation.
+    /// A certificate without bases.
     pub fn of_inequality(claim: Claim, cosine: Option<[String; 2]>, steps: Vec<Step>) -> Self {
         Certificate {
             format: "subcert".into(),
@@ -297,6 +322,9 @@ impl Certificate {
     pub fn file_name(&self) -> Option<String> {
         match &self.claim {
             Claim::Constant(claim) => Some(claim.file_name()),
+            Claim::Eigensplines(claim) => Some(claim.file_name()),
+            Claim::CharacteristicMap(claim) => Some(claim.file_name()),
+            Claim::CentreDistance(claim) => Some(claim.file_name()),
             Claim::Inequality(_) | Claim::Net(_) | Claim::Mesh(_) => None,
         }
     }

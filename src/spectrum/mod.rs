@@ -32,6 +32,7 @@
 //! ```
 
 pub mod characteristic;
+pub mod eigenspline;
 pub mod eigenvalue;
 pub mod inner;
 pub mod jacobian;

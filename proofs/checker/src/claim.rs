@@ -63,6 +63,9 @@ pub enum Claim {
     Inequality(Inequality),
     Violation(Violation),
     MeshViolation(MeshViolation),
+    CharacteristicMap(CharacteristicMap),
+    CentreDistance(CentreDistance),
+    Eigensplines(Eigensplines),
 }
 
 /// The scheme that a claim is about.
@@ -193,6 +196,61 @@ pub enum OfMesh {
     Distance,
 }
 
+/// The characteristic map is regular and injective.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CharacteristicMap {
+    pub scheme: SchemeName,
+    pub valence: usize,
+    #[serde(rename = "kind")]
+    _kind: IgnoredAny,
+}
+
+/// The distance of the centre of every level to the surface.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CentreDistance {
+    #[serde(rename = "scheme")]
+    _scheme: LoopOnly,
+    pub weights: Weights,
+    pub valence: usize,
+    #[serde(rename = "kind")]
+    _kind: IgnoredAny,
+}
+
+/// The distances of eigensplines to meshes.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Eigensplines {
+    #[serde(rename = "scheme")]
+    _scheme: LoopOnly,
+    pub weights: Weights,
+    pub valence: usize,
+    #[serde(rename = "kind")]
+    _kind: IgnoredAny,
+    pub against: Mesh,
+    pub modes: Vec<ModeClaim>,
+}
+
+/// An eigenspline, and lo and hi of its distance for each level.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ModeClaim {
+    pub family: Family,
+    #[serde(deserialize_with = "nullable")]
+    pub frequency: Option<usize>,
+    pub distances: Vec<(Number, Number)>,
+}
+
+/// The families of eigenvectors of the two-ring.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Family {
+    Ring,
+    Ray,
+    Between,
+}
+
 /// A claim, with the fields of its kind.
 pub fn by_kind<'de, D: Deserializer<'de>>(source: D) -> Result<Claim, D::Error> {
     #[derive(serde::Deserialize)]
@@ -207,6 +265,9 @@ pub fn by_kind<'de, D: Deserializer<'de>>(source: D) -> Result<Claim, D::Error> 
         "inequality" => read(text).map(Claim::Inequality),
         "violation" => read(text).map(Claim::Violation),
         "mesh-violation" => read(text).map(Claim::MeshViolation),
+        "characteristic-map" => read(text).map(Claim::CharacteristicMap),
+        "centre-distance" => read(text).map(Claim::CentreDistance),
+        "eigensplines" => read(text).map(Claim::Eigensplines),
         _ => read(text).map(Claim::Constant),
     });
     claim.map_err(|error| D::Error::custom(format!("in the claim: {error}")))
@@ -234,6 +295,9 @@ impl Claim {
                 forms(claim.scheme, claim.right.iter().chain([&claim.left]))
             }
             Self::MeshViolation(claim) => level(claim.level),
+            Self::CharacteristicMap(claim) => valence(claim.valence, VALENCES),
+            Self::CentreDistance(claim) => valence(claim.valence, 4..=*VALENCES.end()),
+            Self::Eigensplines(claim) => valence(claim.valence, VALENCES),
         }
     }
 }
@@ -256,11 +320,15 @@ fn level(level: usize) -> Outcome<()> {
     Ok(())
 }
 
+fn valence(valence: usize, range: RangeInclusive<usize>) -> Outcome<()> {
+    ensure!(range.contains(&valence), Rule::Format, "the valence is not within {range:?}");
+    Ok(())
+}
+
 impl Setting {
     fn check(&self) -> Outcome<()> {
         let range = if self.scheme == SchemeName::DooSabin { SIDES } else { VALENCES };
-        let within = range.contains(&self.valence);
-        ensure!(within, Rule::Format, "the valence is not within {range:?}");
+        valence(self.valence, range)?;
         let weights = self.weights.is_some() == (self.scheme == SchemeName::Loop);
         ensure!(weights, Rule::Format, "\"weights\" are for Loop's scheme and needed there");
         Ok(())

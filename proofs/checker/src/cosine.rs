@@ -58,7 +58,7 @@ pub fn enclose_beta(n: usize, ends: Ends) -> Outcome<Interval> {
 }
 
 /// The ends of cos 2π/n = 2 cos^2(π/n) - 1, which grows with cos(π/n) >= 0.
-fn double(n: usize, ends: Ends) -> Outcome<[BigRational; 2]> {
+pub fn double(n: usize, ends: Ends) -> Outcome<[BigRational; 2]> {
     let rule = Rule::Cosine;
     let missing = || Rejection::new(rule, "an enclosure of cos(π/n) is missing");
     let (lo, hi) = ends.ok_or_else(missing)?;

@@ -81,6 +81,9 @@ pub enum Step {
     Recurrence(Nothing),
     Rate(Nothing),
     Distance(Distance),
+    Embedding(Embedding),
+    Sign(Nothing),
+    Rings(Rings),
 }
 
 #[derive(Debug, serde::Deserialize)]
@@ -200,6 +203,59 @@ pub struct Nothing {}
 #[serde(deny_unknown_fields)]
 pub struct Distance {
     pub edge: [usize; 2],
+}
+
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Embedding {
+    pub splits: usize,
+}
+
+/// The enclosures of D_0, .., D_M and of N.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rings {
+    pub rings: Vec<Ring>,
+    pub near: Near,
+}
+
+/// lo is reached at a point of ring 0.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ring {
+    pub lo: Number,
+    pub hi: Number,
+    pub at: Spot,
+}
+
+/// lo is reached at a point of another ring, or at the centre; the rings 1..depth are looked at.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Near {
+    pub lo: Number,
+    pub hi: Number,
+    #[serde(deserialize_with = "nullable")]
+    pub at: Option<NearSpot>,
+    pub depth: usize,
+}
+
+/// A point of a patch of ring 0.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Spot {
+    pub sector: usize,
+    pub triangle: [i64; 3],
+    pub point: (Number, Number),
+}
+
+/// A point of a patch of ring 0, scaled to another ring.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NearSpot {
+    pub ring: usize,
+    pub sector: usize,
+    pub triangle: [i64; 3],
+    pub point: (Number, Number),
 }
 
 /// A regular word, its bases, and how it is shown.

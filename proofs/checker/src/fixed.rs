@@ -22,19 +22,44 @@ pub struct Fixed {
 
 /// `floor(a b / 2^64)`, and whether anything was cut off; `None` beyond the limit.
 fn product(a: i128, b: i128) -> Option<(i128, bool)> {
-    // a = 2^64 a1 + a0, b = 2^64 b1 + b0, so a b / 2^64 = a1 b + a0 b1 + a0 b0 / 2^64; |a1|, |b1| <= 2^62.
-    let (a1, a0, b1, b0) = (a >> PLACES, a & LOW, b >> PLACES, b & LOW);
-    let least = (a0 as u128) * (b0 as u128);
-    let whole = a1.checked_mul(b)?.checked_add(a0 * b1)?.checked_add((least >> PLACES) as i128)?;
-    Some((whole, least & LOW as u128 != 0))
+    // a = 2^64 a1 + a0, b = 2^64 b1 + b0, |a1|, |b1| <= 2^62:
+    // a b / 2^64 = 2^64 a1 b1 + a1 b0 + a0 b1 + a0 b0 / 2^64.
+    let [(a1, a0), (b1, b0)] = [a, b].map(|x| (x >> PLACES, x & LOW));
+    let (whole, least) = (a1 * b1, a0 as u128 * b0 as u128);
+    if whole.unsigned_abs() > LIMIT.unsigned_abs() >> PLACES {
+        return None;
+    }
+    let sum = (whole << PLACES).checked_add(a1 * b0)?.checked_add(a0 * b1)?;
+    Some((sum.checked_add((least >> PLACES) as i128)?, least as u64 != 0))
+}
+
+/// The same of factors below 2^94 in magnitude, where nothing can overflow.
+#[inline]
+fn product_of_small(a: i128, b: i128) -> (i128, bool) {
+    let [(a1, a0), (b1, b0)] = [a, b].map(|x| ((x >> PLACES) as i64, x as u64));
+    let least = u128::from(a0) * u128::from(b0);
+    let cross = i128::from(a1) * i128::from(b0) + i128::from(b1) * i128::from(a0);
+    let whole = (i128::from(a1) * i128::from(b1)) << PLACES;
+    (whole + cross + (least >> PLACES) as i128, least as u64 != 0)
+}
+
+/// The same, rounded up.
+fn product_above(a: i128, b: i128) -> Option<i128> {
+    product(a, b).map(|(floor, cut)| floor + i128::from(cut))
+}
+
+/// The same, rounded down.
+fn product_below(a: i128, b: i128) -> Option<i128> {
+    product(a, b).map(|(floor, _)| floor)
 }
 
 impl Fixed {
     /// All numbers.
-    const WHOLE: Self = Self { lo: i128::MIN, hi: i128::MAX };
+    pub const WHOLE: Self = Self { lo: i128::MIN, hi: i128::MAX };
     pub const ZERO: Self = Self { lo: 0, hi: 0 };
     pub const ONE: Self = Self { lo: 1 << PLACES, hi: 1 << PLACES };
 
+    #[inline]
     fn new(lo: Option<i128>, hi: Option<i128>) -> Self {
         match (lo, hi) {
             (Some(lo), Some(hi)) if lo >= -LIMIT && hi <= LIMIT => Self { lo, hi },
@@ -42,9 +67,26 @@ impl Fixed {
         }
     }
 
+    /// The product of small intervals that do not have 0 inside: the usual case, in a shorter way.
+    #[inline]
+    fn times_small(self, other: Self) -> Option<Self> {
+        let small = |x: Self| (x.lo ^ (x.lo >> 127)) | (x.hi ^ (x.hi >> 127)) < 1 << 94;
+        let one_sign = |x: Self| (x.lo < 0) == (x.hi < 0);
+        if !(small(self) && small(other) && one_sign(self) && one_sign(other)) {
+            return None;
+        }
+        // Of either sign: the ends of least and of largest magnitude.
+        let order = |x: Self| if x.lo < 0 { (x.hi, x.lo) } else { (x.lo, x.hi) };
+        let ((a, b), (c, d)) = (order(self), order(other));
+        let (least, most) = if (a < 0) == (c < 0) { ((a, c), (b, d)) } else { ((b, d), (a, c)) };
+        let (lo, _) = product_of_small(least.0, least.1);
+        let (hi, cut) = product_of_small(most.0, most.1);
+        Some(Self { lo, hi: hi + i128::from(cut) })
+    }
+
     /// False if nothing is known.
-    fn is_bounded(self) -> bool {
-        self != Self::WHOLE
+    pub fn is_bounded(self) -> bool {
+        self.lo != i128::MIN
     }
 
     /// The numbers from the first to the second.
@@ -68,7 +110,10 @@ impl Fixed {
 
     /// The middle, as a number by itself: for choices that need no proof.
     pub fn middle(self) -> Self {
-        let middle = self.lo / 2 + self.hi / 2;
+        if !self.is_bounded() {
+            return self;
+        }
+        let middle = (self.lo >> 1) + (self.hi >> 1);
         Self { lo: middle, hi: middle }
     }
 
@@ -124,6 +169,56 @@ impl Fixed {
         Self::new(floor(self.lo), floor(self.hi).map(|x| x + 1))
     }
 
+    /// The larger of the two.
+    pub fn max(self, other: Self) -> Self {
+        if self.is_bounded() && other.is_bounded() {
+            Self { lo: self.lo.max(other.lo), hi: self.hi.max(other.hi) }
+        } else {
+            Self::WHOLE
+        }
+    }
+
+    /// `2^bits` times the number.
+    pub fn doubled(self, bits: u32) -> Self {
+        let small = bits < 64 && self.is_bounded() && self.magnitude()[1] <= LIMIT >> bits;
+        if small { Self { lo: self.lo << bits, hi: self.hi << bits } } else { Self::WHOLE }
+    }
+
+    /// `(Σ c x) / d` for integers c, `Σ |c| <= 64`, and `d > 0`: rounded once.
+    pub fn mean(terms: impl Iterator<Item = (i64, Self)>, d: i64) -> Self {
+        let (mut lo, mut hi) = (0, 0);
+        for (c, x) in terms {
+            if !x.is_bounded() || x.magnitude()[1] > LIMIT >> 6 {
+                return Self::WHOLE;
+            }
+            let (c, [low, high]) = (i128::from(c), if c < 0 { [x.hi, x.lo] } else { [x.lo, x.hi] });
+            lo += c * low;
+            hi += c * high;
+        }
+        if d & (d - 1) == 0 {
+            let bits = d.trailing_zeros();
+            return Self::new(Some(lo >> bits), Some(-(-hi >> bits)));
+        }
+        let d = i128::from(d);
+        Self::new(Some(lo.div_euclid(d)), Some(-(-hi).div_euclid(d)))
+    }
+
+    /// The number 0 alone.
+    pub fn is_zero(self) -> bool {
+        self == Self::ZERO
+    }
+
+    /// Certainly not below 0.
+    pub fn is_at_least_zero(self) -> bool {
+        Self::ZERO.at_most(self)
+    }
+
+    /// The ends, if there are any.
+    pub fn ends(self) -> Option<[BigRational; 2]> {
+        let end = |x: i128| BigRational::new(x.into(), BigInt::from(1) << PLACES);
+        self.is_bounded().then(|| [end(self.lo), end(self.hi)])
+    }
+
     /// Certainly below, or equal.
     pub fn at_most(self, other: Self) -> bool {
         self.is_bounded() && other.is_bounded() && self.hi <= other.lo
@@ -152,6 +247,7 @@ impl Fixed {
 
 impl std::ops::Add for Fixed {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         if self.is_bounded() && other.is_bounded() {
             Self::new(self.lo.checked_add(other.lo), self.hi.checked_add(other.hi))
@@ -163,6 +259,7 @@ impl std::ops::Add for Fixed {
 
 impl std::ops::Neg for Fixed {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         if self.is_bounded() { Self { lo: -self.hi, hi: -self.lo } } else { Self::WHOLE }
     }
@@ -170,6 +267,7 @@ impl std::ops::Neg for Fixed {
 
 impl std::ops::Sub for Fixed {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -177,19 +275,36 @@ impl std::ops::Sub for Fixed {
 
 impl std::ops::Mul for Fixed {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         if !self.is_bounded() || !other.is_bounded() {
             return Self::WHOLE;
         }
-        let (mut lo, mut hi) = (i128::MAX, i128::MIN);
-        for a in [self.lo, self.hi] {
-            for b in [other.lo, other.hi] {
-                let Some((floor, cut)) = product(a, b) else { return Self::WHOLE };
-                lo = lo.min(floor);
-                hi = hi.max(floor + i128::from(cut));
+        if self.is_zero() || other.is_zero() {
+            return Self::ZERO;
+        }
+        if let Some(product) = self.times_small(other) {
+            return product;
+        }
+        // Which ends meet is settled by the signs, with neither factor below 0.
+        match (self.hi <= 0, other.hi <= 0) {
+            (true, true) => return (-self) * (-other),
+            (true, false) => return -((-self) * other),
+            (false, true) => return -(self * (-other)),
+            (false, false) => (),
+        }
+        let hi = product_above(self.hi, other.hi);
+        let (below, above) = (product_below, product_above);
+        match (self.lo >= 0, other.lo >= 0) {
+            (true, true) => Self::new(below(self.lo, other.lo), hi),
+            (true, false) => Self::new(below(self.hi, other.lo), hi),
+            (false, true) => Self::new(below(self.lo, other.hi), hi),
+            (false, false) => {
+                let lo = below(self.lo, other.hi).zip(below(self.hi, other.lo));
+                let least = above(self.lo, other.lo);
+                Self::new(lo.map(|(x, y)| x.min(y)), hi.zip(least).map(|(x, y)| x.max(y)))
             }
         }
-        Self::new(Some(lo), Some(hi))
     }
 }
 
@@ -228,6 +343,18 @@ mod tests {
                     assert!(contains(x.over(y), &(a / b)));
                     if b.denom().bits() < 20 {
                         assert!(!contains(x.over(y), &(a / b + ratio(1, 1 << 30))));
+                    }
+                }
+                let mean = Fixed::mean([(3, x), (-5, y)].into_iter(), 24);
+                assert!(contains(mean, &((a * ratio(3, 1) - b * ratio(5, 1)) / ratio(24, 1))));
+                let mean = Fixed::mean([(-3, x), (5, y)].into_iter(), 16);
+                assert!(contains(mean, &((b * ratio(5, 1) - a * ratio(3, 1)) / ratio(16, 1))));
+                assert!(contains(x.doubled(7), &(a * ratio(128, 1))));
+                // Boxes round both, of every combination of signs.
+                let wide = |x: &BigRational| Fixed::between(&(x - ratio(1, 2)), &(x + ratio(1, 3)));
+                for c in [a - ratio(1, 2), a.clone(), a + ratio(1, 3)] {
+                    for d in [b - ratio(1, 2), b.clone(), b + ratio(1, 3)] {
+                        assert!(contains(wide(a) * wide(b), &(&c * &d)));
                     }
                 }
                 if a < b {

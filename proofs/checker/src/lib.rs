@@ -13,6 +13,8 @@
 //! | `basis` | 3: bases, multipliers, weights |
 //! | `proof`, `region`, `cells`, `covering` | 4: the rules |
 //! | `inequality`, `violation`, `mesh` | 7: inequalities that hold, and violated ones |
+//! | `fixed`, `complex`, `eigen`, `sector`, `piece`, `tilt` | 9: intervals on a fixed grid; eigenvectors of the two-ring; their lattices and pieces of surface |
+//! | `embedding`, `centre`, `eigensplines` | 9: the rules |
 
 #![forbid(unsafe_code)]
 
@@ -21,10 +23,15 @@ use std::panic::catch_unwind;
 mod basis;
 mod catmull_clark;
 mod cells;
+mod centre;
 mod claim;
+mod complex;
 mod cosine;
 mod covering;
 mod doo_sabin;
+mod eigen;
+mod eigensplines;
+mod embedding;
 mod file;
 mod fixed;
 mod form;
@@ -34,6 +41,7 @@ mod loop_scheme;
 mod mesh;
 mod net;
 mod patch;
+mod piece;
 mod proof;
 mod rational;
 mod region;
@@ -41,8 +49,11 @@ pub mod reject;
 mod ring;
 mod scalar;
 mod scheme;
+mod sector;
 mod space;
+mod spline_words;
 mod target;
+mod tilt;
 mod violation;
 mod word;
 mod words;
@@ -75,7 +86,7 @@ pub fn check(bytes: &[u8]) -> Verdict {
 
 fn examine(bytes: &[u8]) -> Verdict {
     match file::read(bytes) {
-        Ok(file) => Verdict { claim: Some(words::in_words(&file.claim)), outcome: prove(&file) },
+        Ok(file) => Verdict { claim: Some(words::in_words(&file)), outcome: prove(&file) },
         Err(rejection) => rejection.into(),
     }
 }
@@ -89,5 +100,8 @@ fn prove(file: &file::File) -> Outcome<()> {
         Claim::Inequality(claim) => inequality::check(file, claim),
         Claim::Violation(claim) => violation::check(file, claim),
         Claim::MeshViolation(claim) => mesh::check(file, claim),
+        Claim::CharacteristicMap(claim) => embedding::check(file, claim),
+        Claim::CentreDistance(claim) => centre::check(file, claim),
+        Claim::Eigensplines(claim) => eigensplines::check(file, claim),
     }
 }

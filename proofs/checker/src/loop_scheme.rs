@@ -13,7 +13,7 @@ use crate::space::Space;
 const REGULAR: [usize; 12] = [4, 5, 3, 1, 6, 10, 2, 7, 12, 9, 8, 11];
 
 /// 24 times the matrix from twelve points to fifteen Bernstein coefficients (HW, Appendix 1).
-const T: [[i64; 12]; 15] = [
+pub const T: [[i64; 12]; 15] = [
     [2, 2, 2, 12, 2, 0, 2, 2, 0, 0, 0, 0],
     [1, 0, 3, 12, 1, 0, 4, 3, 0, 0, 0, 0],
     [0, 1, 1, 12, 3, 0, 3, 4, 0, 0, 0, 0],

@@ -71,6 +71,12 @@ rules! {
     Rate = "rate",
     /// The inequality of that name about meshes holds.
     Distance = "distance",
+    /// The characteristic map.
+    Embedding = "embedding",
+    /// The eigenvector of centre-distance.
+    Sign = "sign",
+    /// The distances of an eigenspline.
+    Rings = "rings",
 }
 
 /// Why a certificate is rejected.

@@ -4,12 +4,13 @@ use num_rational::BigRational;
 
 use crate::claim::{Claim, Constant, Kind, Norm, OfMesh, SchemeName, Setting, Weights};
 use crate::covering::text;
-use crate::file::Value;
-use crate::rational::decimal;
+use crate::file::{File, Value};
+use crate::rational::{decimal, ratio};
+use crate::spline_words;
 
 /// The claim in words: scheme, weights, valence; level, kind, norm, lo, hi, exact; or the inequality.
-pub fn in_words(claim: &Claim) -> String {
-    match claim {
+pub fn in_words(file: &File) -> String {
+    match &file.claim {
         Claim::Constant(claim) => constant(claim),
         Claim::Inequality(claim) => {
             let (factor, left, right) =
@@ -36,24 +37,39 @@ pub fn in_words(claim: &Claim) -> String {
                 "Loop, {weights} weights: {inequality} is false for a closed mesh of {points} vertices, {faces} faces"
             )
         }
+        Claim::CharacteristicMap(claim) => spline_words::characteristic_map(claim),
+        Claim::CentreDistance(claim) => {
+            let middle = file.cosine.as_ref().map(|(lo, hi)| (&lo.0 + &hi.0) / ratio(2, 1));
+            spline_words::centre_distance(claim, middle)
+        }
+        Claim::Eigensplines(claim) => spline_words::eigensplines(claim),
     }
 }
 
-fn weights(weights: Weights) -> &'static str {
+/// The name of a variant of Loop's weights.
+pub fn weights(weights: Weights) -> &'static str {
     match weights {
         Weights::Original => "original",
         Weights::Warren => "Warren's",
     }
 }
 
+/// The name of a scheme.
+pub fn scheme_name(scheme: SchemeName) -> &'static str {
+    match scheme {
+        SchemeName::Loop => "Loop",
+        SchemeName::CatmullClark => "Catmull-Clark",
+        SchemeName::DooSabin => "Doo-Sabin",
+    }
+}
+
 /// The scheme, the weights, the valence.
 fn setting(setting: &Setting) -> String {
-    let n = setting.valence;
+    let (n, name) = (setting.valence, scheme_name(setting.scheme));
     match (setting.scheme, setting.weights) {
-        (SchemeName::Loop, Some(name)) => format!("Loop, {} weights, valence {n}", weights(name)),
-        (SchemeName::Loop, None) => format!("Loop, valence {n}"),
-        (SchemeName::CatmullClark, _) => format!("Catmull-Clark, valence {n}"),
-        (SchemeName::DooSabin, _) => format!("Doo-Sabin, a face of {n} sides"),
+        (_, Some(variant)) => format!("{name}, {} weights, valence {n}", weights(variant)),
+        (SchemeName::DooSabin, _) => format!("{name}, a face of {n} sides"),
+        _ => format!("{name}, valence {n}"),
     }
 }
 

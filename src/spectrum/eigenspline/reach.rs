@@ -1,0 +1,102 @@
+//! A point where |e - E| is large, and a lower bound of the value there.
+
+use super::SplinePoint;
+use super::complex::Complex;
+use super::facets::cover;
+use super::maximum::{Start, difference, magnitude};
+use crate::bernstein::Patch as _;
+use crate::scalar::{Interval, Rational};
+
+/// A point of a patch where e - E is large.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// Index of the start.
+    pub start: usize,
+    /// The parameters, multiples of 2^-16.
+    pub at: [f64; 2],
+    /// |e - E| is at least this.
+    pub value: f64,
+}
+
+impl Reached {
+    /// Its place on the surface.
+    pub fn place(&self, starts: &[Start]) -> SplinePoint {
+        let start = &starts[self.start];
+        SplinePoint {
+            ring: start.ring,
+            sector: start.sector,
+            triangle: start.patch.triangle,
+            at: (self.at).map(|x| Rational::from_float(x).expect("a dyadic number")),
+        }
+    }
+}
+
+/// The parameters of points are multiples of this.
+const STEP: f64 = 1.0 / 65536.0;
+/// The first step of the ascent: parts of a full depth have sides of 2^-8.
+const FIRST_STEP: f64 = 1.0 / 64.0;
+const DIRECTIONS: [[f64; 2]; 8] = [
+    [1.0, 0.0],
+    [0.0, 1.0],
+    [-1.0, 1.0],
+    [-1.0, 0.0],
+    [0.0, -1.0],
+    [1.0, -1.0],
+    [1.0, 1.0],
+    [-1.0, -1.0],
+];
+
+/// Climbs from a point in floats and encloses the value at the end; `None` if no facet is certain
+/// there.
+pub fn reach(starts: &[Start], start: usize, from: [f64; 2]) -> Option<Reached> {
+    let here = starts.get(start)?;
+    let (mut at, mut value) = (from, estimate(here, from));
+    let mut step = FIRST_STEP;
+    while step >= STEP {
+        let tried = DIRECTIONS.map(|[v, w]| [at[0] + step * v, at[1] + step * w]);
+        let better = (tried.into_iter())
+            .filter(|[v, w]| *v >= 0.0 && *w >= 0.0 && v + w <= 1.0)
+            .map(|point| (estimate(here, point), point))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .filter(|(other, _)| *other > value);
+        match better {
+            Some((other, point)) => (value, at) = (other, point),
+            None => step /= 2.0,
+        }
+    }
+    // A point on a border may be no better inside, and then the first one was as good.
+    let found = lower_bound(here, at)?;
+    Some(Reached {
+        start,
+        at,
+        value: found,
+    })
+}
+
+/// |e - E|, about: over the facet that the point lies in, or is nearest to lying in.
+fn estimate(start: &Start, at: [f64; 2]) -> f64 {
+    let [v, w] = at.map(Interval::point);
+    let (chi, _) = start.patch.root.chi.evaluate([&v, &w]);
+    let (e, _) = start.spline.evaluate([&v, &w]);
+    let depth = |weights: &[Interval; 3]| weights.iter().map(|b| b.mid()).fold(1.0, f64::min);
+    let all = start.patch.candidates.iter().zip(&start.facets);
+    let facets = all.map(|(facet, values)| (facet.weights(&chi), values));
+    let best = facets.max_by(|a, b| depth(&a.0).total_cmp(&depth(&b.0)));
+    best.map_or(0.0, |(weights, values)| {
+        magnitude(&difference(&e, &weights, values)).mid()
+    })
+}
+
+/// A lower bound of |e - E| at a point: over each facet that it may lie in.
+pub fn lower_bound(start: &Start, at: [f64; 2]) -> Option<f64> {
+    let [v, w] = at.map(Interval::point);
+    let (chi, _) = start.patch.root.chi.evaluate([&v, &w]);
+    let (e, _): (Complex<Interval>, _) = start.spline.evaluate([&v, &w]);
+    let candidates = &start.patch.candidates;
+    let near = cover(candidates, 0..candidates.len(), &[chi]).0;
+    let values = near.iter().map(|&i| {
+        let weights = candidates[i].weights(&chi);
+        magnitude(&difference(&e, &weights, &start.facets[i])).inf()
+    });
+    values.reduce(f64::min)
+}
