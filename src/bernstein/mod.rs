@@ -23,6 +23,10 @@ pub trait Patch<S: Field, V: Module<S>>: Clone + Sized {
     /// Number of corners of the parameter domain: 3 or 4.
     const CORNERS: usize;
 
+    /// The patch that interpolates corner values: linear on triangles (the fourth value is unused),
+    /// bilinear on squares.
+    fn interpolant(corners: &[V; 4]) -> Self;
+
     /// The Bernstein coefficients.
     fn coefficients(&self) -> &[V];
 

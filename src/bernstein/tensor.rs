@@ -61,6 +61,10 @@ impl<S: Field, V: Module<S>, const D: usize, const N: usize> Patch<S, V> for Ten
     const CORNERS: usize = 4;
     const DEGREE: usize = D;
 
+    fn interpolant(corners: &[V; 4]) -> Self {
+        Self::from_bilinear::<S>(corners)
+    }
+
     #[inline]
     fn coefficients(&self) -> &[V] {
         &self.0

@@ -13,6 +13,7 @@ use exit::Outcome;
 
 mod bound;
 pub mod exit;
+mod hausdorff;
 mod info;
 mod measure;
 mod progress;
@@ -72,6 +73,8 @@ enum SchemeName {
     Loop,
     CatmullClark,
     DooSabin,
+    /// No surface: the mesh itself, with `measure --other`
+    None,
 }
 
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,6 +120,11 @@ impl SchemeArguments {
             (SchemeName::Loop, _) => Scheme::Loop(LoopWeights::Original),
             (SchemeName::CatmullClark, _) => Scheme::CatmullClark,
             (SchemeName::DooSabin, _) => Scheme::DooSabin,
+            (SchemeName::None, _) => {
+                bail!(
+                    "--scheme none has no surface: it goes with measure --other FILE and a Hausdorff distance only"
+                )
+            }
         };
         let corner = match self.corner {
             Some(CornerName::Sharp) => CornerRule::Sharp,

@@ -84,6 +84,9 @@ impl Spectrum {
             (SchemeName::DooSabin, _) => {
                 bail!("spectra of doo-sabin are not known: use --scheme loop or catmull-clark")
             }
+            (SchemeName::None, _) => {
+                bail!("without a scheme there is no spectrum: use --scheme loop or catmull-clark")
+            }
         })
     }
 }

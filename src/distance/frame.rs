@@ -22,16 +22,29 @@ pub(super) struct Frame {
 impl Frame {
     /// The frame of the vertices that have a face.
     pub(super) fn of(mesh: &Mesh, moves: bool) -> Self {
+        Self::covering(&[mesh], moves)
+    }
+
+    /// The least and largest coordinates of the vertices that have a face.
+    pub(super) fn corners(meshes: &[&Mesh]) -> ([f64; 3], [f64; 3]) {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for (vertex, p) in (0..).zip(&mesh.positions) {
-            if mesh.topology.first_halfedge(vertex) == NONE {
-                continue;
-            }
-            for i in 0..3 {
-                low[i] = low[i].min(p.0[i]);
-                high[i] = high[i].max(p.0[i]);
+        for mesh in meshes {
+            for (vertex, p) in (0..).zip(&mesh.positions) {
+                if mesh.topology.first_halfedge(vertex) == NONE {
+                    continue;
+                }
+                for i in 0..3 {
+                    low[i] = low[i].min(p.0[i]);
+                    high[i] = high[i].max(p.0[i]);
+                }
             }
         }
+        (low, high)
+    }
+
+    /// One frame for several meshes.
+    pub(super) fn covering(meshes: &[&Mesh], moves: bool) -> Self {
+        let (low, high) = Self::corners(meshes);
         let largest = (0..3)
             .map(|i| low[i].abs().max(high[i].abs()))
             .fold(0.0, f64::max);
@@ -68,6 +81,11 @@ impl Frame {
             0.0
         };
         (positions.iter().map(place).collect(), radius)
+    }
+
+    /// A coordinate in the frame's unit, where it is not moved.
+    pub(super) fn shrink(&self, x: f64) -> f64 {
+        scale(x, -self.exponent)
     }
 
     pub(super) fn leave(&self, p: [f64; 3]) -> [f64; 3] {

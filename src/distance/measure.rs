@@ -149,6 +149,11 @@ pub fn measure(
 /// Whether the scheme applies and the coordinates are finite.
 fn check(request: &Request, mesh: &Mesh) -> Result<(), MeasureError> {
     topology::check(request.scheme, &mesh.topology)?;
+    check_mesh(mesh)
+}
+
+/// Whether there is one finite position for each vertex.
+pub(super) fn check_mesh(mesh: &Mesh) -> Result<(), MeasureError> {
     largest_coordinate(&mesh.positions)?;
     let (expected, found) = (mesh.topology.vertex_count() as usize, mesh.positions.len());
     if expected != found {
@@ -241,7 +246,7 @@ fn enclose<A: Space>(
     let mesh = MeshView::<A> {
         topology,
         positions,
-        against: request.against,
+        compared: request.against.facet(),
     };
     let found = match request.scheme {
         Scheme::Loop(weights) => {

@@ -8,11 +8,13 @@
 //! | `face` | the supremum over a face |
 //! | `parametric` | the supremum over a mesh, in two passes |
 //! | `frame` | a unit and an origin in which `f64` does its best |
+//! | `hausdorff` | one-sided and symmetric Hausdorff distances, to any mesh |
 //! | `measure` | from a mesh to an enclosure in its own unit |
 
 pub mod close;
 pub mod face;
 mod frame;
+pub mod hausdorff;
 pub mod measure;
 pub mod model;
 pub mod parametric;

@@ -23,6 +23,17 @@ pub use space::{Float, Lane, Space};
 /// Parameters of the corners of a piece within its face; the fourth is unused on triangles.
 pub type Corners = [[f64; 2]; 4];
 
+/// The mesh F that a net subtracts from the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Facet {
+    /// F has the control points of the face for corners.
+    Control,
+    /// F has their limit positions for corners.
+    Limit,
+    /// F is the origin: pieces are those of the surface itself, relative to the face's first corner.
+    Nothing,
+}
+
 /// Where the pieces of a face go: polynomial patches of S - F, and nets that need another step.
 pub trait Sink<B, N> {
     /// A polynomial piece of S - F over the given parameters, after `steps` local steps.

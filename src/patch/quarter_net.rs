@@ -139,6 +139,39 @@ impl<V> QuarterNet<V> {
         catmull_clark::face_point(&total, self.faces.len() as u32)
     }
 
+    /// S - F at the four corners of the quarter of an interior vertex. One step puts a face there: the
+    /// face of the vertex at corner 0, those of its two edges in the first face at corners 1 and 3, the
+    /// child of the first face at corner 2; S is their centroid.
+    pub fn corner_differences<S: Field>(&self, rules: &DooSabinRules<S>) -> [V; 4]
+    where
+        V: Module<S>,
+    {
+        let n = self.faces.len();
+        let (own, before, after) = (&self.faces[0], &self.faces[n - 1], &self.faces[1 % n]);
+        let child = |face: &[V], corner: usize| rules.child(face, corner);
+        let edge = |a: V, b: V, c: V, d: V| catmull_clark::quad_point(&a, &b, &c, &d);
+        let vertex = child(own, 0);
+        let next = edge(
+            vertex.clone(),
+            child(own, 1),
+            child(before, before.len() - 1),
+            child(before, 0),
+        );
+        let prev = edge(
+            vertex,
+            child(own, own.len() - 1),
+            child(after, 1),
+            child(after, 0),
+        );
+        let [at_vertex, at_next, _, at_prev] = &self.facet;
+        [
+            self.limit(rules) - at_vertex,
+            next - at_next,
+            self.corner_difference::<S>(),
+            prev - at_prev,
+        ]
+    }
+
     /// Sets what to compare with and where the quarter lies.
     pub fn place(&mut self, facet: [V; 4], corners: Corners) {
         self.facet = facet;

@@ -2,6 +2,7 @@
 
 pub mod constants;
 pub mod faces;
+pub mod hausdorff;
 pub mod measurement;
 pub mod paper;
 pub mod papers;

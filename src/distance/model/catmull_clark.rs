@@ -53,10 +53,10 @@ impl<A: Space> Model<A> for CatmullClarkModel<'_, A> {
         scratch: &mut Self::Scratch,
         sink: &mut impl Sink<Self::Patch, Self::Net>,
     ) -> Gathered {
-        let (topology, positions, limit) =
-            (self.mesh.topology, self.mesh.positions, self.mesh.limit());
+        let (topology, positions, compared) =
+            (self.mesh.topology, self.mesh.positions, self.mesh.compared);
         if let Some((patch, size)) =
-            quad_net::regular_face::<A, _>(topology, positions, face, limit)
+            quad_net::regular_face::<A, _>(topology, positions, face, compared)
         {
             sink.patch(&patch, UNIT_SQUARE, 0);
             return Gathered { size, arity: 4 + 4 };
@@ -65,13 +65,13 @@ impl<A: Space> Model<A> for CatmullClarkModel<'_, A> {
         if QuadNet::<A::Point>::applies(topology, face) {
             scratch
                 .net
-                .gather::<A>(&self.rules, topology, positions, face, limit);
+                .gather::<A>(&self.rules, topology, positions, face, compared);
             quad_net::split::<A, _>(&self.rules, &scratch.net, &mut scratch.split, sink);
             gathered::<A>(scratch.net.points(), valence + 4)
         } else {
             scratch
                 .polygon
-                .gather::<A>(&self.rules, topology, positions, face, limit);
+                .gather::<A>(&self.rules, topology, positions, face, compared);
             quad_net::split_polygon::<A, _>(
                 &self.rules,
                 &scratch.polygon,
@@ -124,20 +124,35 @@ impl<A: Space> Model<A> for CatmullClarkModel<'_, A> {
         )
     }
 
+    fn net_points<'a>(&self, net: &'a Self::Net) -> impl Iterator<Item = &'a A::Point>
+    where
+        A::Point: 'a,
+    {
+        net.points()
+    }
+
+    fn net_corners(&self, net: &Self::Net) -> [A::Point; 4] {
+        std::array::from_fn(|corner| net.corner_difference::<A>(&self.rules, corner))
+    }
+
+    fn net_place(&self, net: &Self::Net) -> (Corners, u32) {
+        (net.corners, net.steps)
+    }
+
     fn mesh_point(&self, face: u32, at: [f64; 2]) -> A::Point {
-        let (topology, positions, limit) =
-            (self.mesh.topology, self.mesh.positions, self.mesh.limit());
+        let (topology, positions, compared) =
+            (self.mesh.topology, self.mesh.positions, self.mesh.compared);
         let (quarter, [u, v]) = self.locate(face, at);
         let at = [&A::dyadic(u), &A::dyadic(v)];
         match quarter {
             None => {
                 let mut net = QuadNet::default();
-                net.gather::<A>(&self.rules, topology, positions, face, limit);
+                net.gather::<A>(&self.rules, topology, positions, face, compared);
                 net.facet_point(at)
             }
             Some(quarter) => {
                 let mut net = PolygonNet::default();
-                net.gather::<A>(&self.rules, topology, positions, face, limit);
+                net.gather::<A>(&self.rules, topology, positions, face, compared);
                 net.facet_point(quarter as usize, at)
             }
         }

@@ -6,7 +6,7 @@ use super::{Gathered, MeshView, Model, quarter_of};
 use crate::bernstein::tensor::Biquadratic;
 use crate::patch::quad_net;
 use crate::patch::quarter_net::{self, DooSabinRules, QuarterNet};
-use crate::patch::{Sink, Space};
+use crate::patch::{Corners, Facet, Sink, Space};
 
 /// Doo-Sabin. Every face by quarters, one at each interior vertex; parameters `(u, v)` with (0,0) at
 /// the vertex, u towards the middle of the next edge, (1,1) at the centroid.
@@ -52,10 +52,10 @@ impl<A: Space> DooSabinModel<'_, A> {
                 .map(|p| A::magnitude(p))
                 .fold(result.size, f64::max);
             result.arity = result.arity.max(net.arity());
-            facet.push(if self.mesh.limit() {
-                net.limit(&self.rules)
-            } else {
-                A::lift(&positions[topology.origin(h) as usize], base)
+            facet.push(match self.mesh.compared {
+                Facet::Limit => net.limit(&self.rules),
+                Facet::Control => A::lift(&positions[topology.origin(h) as usize], base),
+                Facet::Nothing => A::Point::zero(),
             });
         }
         result
@@ -134,6 +134,21 @@ impl<A: Space> Model<A> for DooSabinModel<'_, A> {
 
     fn net_value(&self, net: &Self::Net) -> (A::Point, [f64; 2]) {
         (net.corner_difference::<A::Scalar>(), net.corners[2])
+    }
+
+    fn net_points<'a>(&self, net: &'a Self::Net) -> impl Iterator<Item = &'a A::Point>
+    where
+        A::Point: 'a,
+    {
+        net.points()
+    }
+
+    fn net_corners(&self, net: &Self::Net) -> [A::Point; 4] {
+        net.corner_differences::<A::Scalar>(&self.rules)
+    }
+
+    fn net_place(&self, net: &Self::Net) -> (Corners, u32) {
+        (net.corners, net.steps)
     }
 
     fn mesh_point(&self, face: u32, at: [f64; 2]) -> A::Point {

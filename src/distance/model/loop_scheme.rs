@@ -51,17 +51,17 @@ impl<A: Space> Model<A> for LoopModel<'_, A> {
         scratch: &mut Self::Scratch,
         sink: &mut impl Sink<Self::Patch, Self::Net>,
     ) -> Gathered {
-        let (topology, limit) = (self.mesh.topology, self.mesh.limit());
+        let (topology, compared) = (self.mesh.topology, self.mesh.compared);
         let positions = self.mesh.positions;
         if let Some((patch, size)) =
-            triangle_net::regular_face::<A, _>(topology, positions, face, limit)
+            triangle_net::regular_face::<A, _>(topology, positions, face, compared)
         {
             sink.patch(&patch, UNIT_TRIANGLE, 0);
             return Gathered { size, arity: 6 + 3 };
         }
         scratch
             .net
-            .gather::<A>(&self.rules, topology, self.mesh.positions, face, limit);
+            .gather::<A>(&self.rules, topology, self.mesh.positions, face, compared);
         triangle_net::split::<A, _>(&self.rules, &scratch.net, &mut scratch.split, sink);
         gathered::<A>(scratch.net.points(), largest_valence(topology, face) + 3)
     }
@@ -84,7 +84,23 @@ impl<A: Space> Model<A> for LoopModel<'_, A> {
     }
 
     fn net_value(&self, net: &Self::Net) -> (A::Point, [f64; 2]) {
-        (net.corner_difference::<A>(&self.rules), net.corners[0])
+        (net.corner_difference::<A>(&self.rules, 0), net.corners[0])
+    }
+
+    fn net_points<'a>(&self, net: &'a Self::Net) -> impl Iterator<Item = &'a A::Point>
+    where
+        A::Point: 'a,
+    {
+        net.points()
+    }
+
+    fn net_corners(&self, net: &Self::Net) -> [A::Point; 4] {
+        let at = |corner| net.corner_difference::<A>(&self.rules, corner);
+        [at(0), at(1), at(2), A::Point::zero()]
+    }
+
+    fn net_place(&self, net: &Self::Net) -> (Corners, u32) {
+        (net.corners, net.steps)
     }
 
     fn mesh_point(&self, face: u32, at: [f64; 2]) -> A::Point {
@@ -94,7 +110,7 @@ impl<A: Space> Model<A> for LoopModel<'_, A> {
             self.mesh.topology,
             self.mesh.positions,
             face,
-            self.mesh.limit(),
+            self.mesh.compared,
         );
         net.facet_point([&A::dyadic(at[0]), &A::dyadic(at[1])])
     }

@@ -2,7 +2,7 @@
 
 use crate::bernstein::Patch;
 use crate::mesh::{Point, Topology};
-use crate::patch::{Sink, Space};
+use crate::patch::{Corners, Facet, Sink, Space};
 
 mod catmull_clark;
 mod doo_sabin;
@@ -22,6 +22,14 @@ pub enum Against {
 }
 
 impl Against {
+    /// The F of that mesh.
+    pub fn facet(self) -> Facet {
+        match self {
+            Against::Control => Facet::Control,
+            Against::Limit => Facet::Limit,
+        }
+    }
+
     /// The name used on the command line and in every file.
     pub fn name(self) -> &'static str {
         match self {
@@ -78,6 +86,18 @@ pub trait Model<A: Space>: Sync {
     /// S - F at the irregular point of the net's piece, with its parameters.
     fn net_value(&self, net: &Self::Net) -> (A::Point, [f64; 2]);
 
+    /// The points whose hull holds the surface over the net's piece (if F is the origin).
+    fn net_points<'a>(&self, net: &'a Self::Net) -> impl Iterator<Item = &'a A::Point>
+    where
+        A::Point: 'a;
+
+    /// S - F at the corners of the net's piece (the fourth is arbitrary on triangles). For nets that
+    /// [`Model::splits_at_once`] leaves alone.
+    fn net_corners(&self, net: &Self::Net) -> [A::Point; 4];
+
+    /// Parameters of those corners, and the number of local steps behind the net.
+    fn net_place(&self, net: &Self::Net) -> (Corners, u32);
+
     /// F at parameters of the face, relative to the face's first corner.
     fn mesh_point(&self, face: u32, at: [f64; 2]) -> A::Point;
 
@@ -93,14 +113,8 @@ pub struct MeshView<'a, A: Space> {
     pub topology: &'a Topology,
     /// Positions in the mesh's own unit.
     pub positions: &'a [Point<A::Scalar>],
-    /// Control or limit mesh.
-    pub against: Against,
-}
-
-impl<A: Space> MeshView<'_, A> {
-    fn limit(&self) -> bool {
-        self.against == Against::Limit
-    }
+    /// What F is.
+    pub compared: Facet,
 }
 
 fn gathered<'a, A: Space>(points: impl Iterator<Item = &'a A::Point>, arity: u32) -> Gathered

@@ -7,7 +7,7 @@
 
 use num_traits::Zero;
 
-use super::{Corners, Space, farthest};
+use super::{Corners, Facet, Space, farthest};
 use crate::bernstein::midpoint;
 use crate::mesh::{NONE, Point, Topology};
 use crate::scalar::{Field, Module};
@@ -121,14 +121,14 @@ impl<V> QuadNet<V> {
         quads
     }
 
-    /// Gathers a quad of the mesh among quads. With `limit`, F takes the limit positions.
+    /// Gathers a quad of the mesh among quads. F is what `compared` says.
     pub fn gather<A>(
         &mut self,
         rules: &CatmullClarkRules<A::Scalar>,
         topology: &Topology,
         positions: &[Point<A::Scalar>],
         face: u32,
-        limit: bool,
+        compared: Facet,
     ) where
         A: Space<Point = V>,
         V: Module<A::Scalar>,
@@ -152,10 +152,10 @@ impl<V> QuadNet<V> {
             );
         }
         for i in 0..4 {
-            self.facet[i] = if limit {
-                rules.limit_quads(&self.corner[i], self.fan[i].view())
-            } else {
-                self.corner[i].clone()
+            self.facet[i] = match compared {
+                Facet::Limit => rules.limit_quads(&self.corner[i], self.fan[i].view()),
+                Facet::Control => self.corner[i].clone(),
+                Facet::Nothing => V::zero(),
             };
         }
         self.corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
@@ -182,7 +182,7 @@ impl<V> QuadNet<V> {
         farthest::<A>(self.points(), &self.facet)
     }
 
-    /// S - F at the irregular corner (`irregular` of a net that a split yields).
+    /// S - F at a corner of an all-quad net (as the nets are that a split yields).
     pub fn corner_difference<A>(&self, rules: &CatmullClarkRules<A::Scalar>, corner: usize) -> V
     where
         A: Space<Point = V>,
@@ -241,14 +241,14 @@ impl<V> PolygonNet<V> {
         bilinear(&corners, at)
     }
 
-    /// Gathers any polygon of the mesh. With `limit`, F takes the limit positions.
+    /// Gathers any polygon of the mesh. F is what `compared` says.
     pub fn gather<A>(
         &mut self,
         rules: &CatmullClarkRules<A::Scalar>,
         topology: &Topology,
         positions: &[Point<A::Scalar>],
         face: u32,
-        limit: bool,
+        compared: Facet,
     ) where
         A: Space<Point = V>,
         V: Module<A::Scalar>,
@@ -281,10 +281,10 @@ impl<V> PolygonNet<V> {
         self.center = centroid(face);
         self.facet.clear();
         for i in 0..m {
-            self.facet.push(if limit {
-                rules.limit_polygons(&self.corner[i], self.fan[i].view())
-            } else {
-                self.corner[i].clone()
+            self.facet.push(match compared {
+                Facet::Limit => rules.limit_polygons(&self.corner[i], self.fan[i].view()),
+                Facet::Control => self.corner[i].clone(),
+                Facet::Nothing => V::zero(),
             });
         }
         self.facet_center = catmull_clark::face_point(&sum(&self.facet), m as u32);

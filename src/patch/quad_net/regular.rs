@@ -4,7 +4,7 @@ use super::rules::PLACE;
 use crate::bernstein::from_net;
 use crate::bernstein::tensor::{Bicubic, Tensor};
 use crate::mesh::{Point, Topology};
-use crate::patch::Space;
+use crate::patch::{Facet, Space};
 use crate::scalar::Module;
 
 /// S - F over a quad of an all-quad mesh whose corners are interior and of valence 4; `None` for
@@ -15,7 +15,7 @@ pub fn regular_face<A, V>(
     topology: &Topology,
     positions: &[Point<A::Scalar>],
     face: u32,
-    limit: bool,
+    compared: Facet,
 ) -> Option<(Bicubic<V>, f64)>
 where
     A: Space<Point = V>,
@@ -44,10 +44,10 @@ where
     let net: [V; 16] = vertices.map(|v| A::lift(&positions[v as usize], base));
     let size = net.iter().map(|p| A::magnitude(p)).fold(0.0, f64::max);
     let mut surface = from_net::bicubic::<A::Scalar, V>(&net);
-    let facet = if limit {
-        [0, 3, 15, 12].map(|corner| surface.0[corner].clone())
-    } else {
-        [5, 6, 10, 9].map(|corner| net[corner].clone())
+    let facet = match compared {
+        Facet::Limit => [0, 3, 15, 12].map(|corner| surface.0[corner].clone()),
+        Facet::Control => [5, 6, 10, 9].map(|corner| net[corner].clone()),
+        Facet::Nothing => return Some((surface, size)),
     };
     surface.subtract::<A::Scalar>(&Tensor::from_bilinear::<A::Scalar>(&facet));
     Some((surface, size))

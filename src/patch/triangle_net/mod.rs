@@ -6,7 +6,7 @@
 
 use num_traits::Zero;
 
-use super::{Corners, Space, farthest};
+use super::{Corners, Facet, Space, farthest};
 use crate::mesh::{NONE, Point, Topology};
 use crate::scalar::{Field, Module};
 
@@ -44,14 +44,14 @@ impl<V: Zero> Default for TriangleNet<V> {
 }
 
 impl<V> TriangleNet<V> {
-    /// Gathers a face of the mesh. With `limit`, F takes the limit positions of the corners.
+    /// Gathers a face of the mesh. F is what `compared` says.
     pub fn gather<A>(
         &mut self,
         rules: &LoopRules<A::Scalar>,
         topology: &Topology,
         positions: &[Point<A::Scalar>],
         face: u32,
-        limit: bool,
+        compared: Facet,
     ) where
         A: Space<Point = V>,
         V: Module<A::Scalar>,
@@ -91,10 +91,10 @@ impl<V> TriangleNet<V> {
             }
         }
         for i in 0..3 {
-            self.facet[i] = if limit {
-                rules.limit(&self.corner[i], self.ring[i].view())
-            } else {
-                self.corner[i].clone()
+            self.facet[i] = match compared {
+                Facet::Limit => rules.limit(&self.corner[i], self.ring[i].view()),
+                Facet::Control => self.corner[i].clone(),
+                Facet::Nothing => V::zero(),
             };
         }
         self.corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
@@ -141,12 +141,12 @@ impl<V> TriangleNet<V> {
             .chain(self.ring.iter().flat_map(|ring| &ring.points))
     }
 
-    /// S - F at the irregular corner (corner 0 of every net that a split yields).
-    pub fn corner_difference<A>(&self, rules: &LoopRules<A::Scalar>) -> V
+    /// S - F at a corner; corner 0 is the irregular one of every net that a split yields.
+    pub fn corner_difference<A>(&self, rules: &LoopRules<A::Scalar>, corner: usize) -> V
     where
         A: Space<Point = V>,
         V: Module<A::Scalar>,
     {
-        rules.limit(&self.corner[0], self.ring[0].view()) - &self.facet[0]
+        rules.limit(&self.corner[corner], self.ring[corner].view()) - &self.facet[corner]
     }
 }

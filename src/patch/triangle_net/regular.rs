@@ -3,7 +3,7 @@
 use crate::bernstein::from_net;
 use crate::bernstein::triangle::QuarticTriangle;
 use crate::mesh::{Point, Topology};
-use crate::patch::Space;
+use crate::patch::{Facet, Space};
 use crate::scalar::Module;
 
 /// S - F over a face whose corners are interior and of valence 6, without rings; `None` for other
@@ -15,7 +15,7 @@ pub fn regular_face<A, V>(
     topology: &Topology,
     positions: &[Point<A::Scalar>],
     face: u32,
-    limit: bool,
+    compared: Facet,
 ) -> Option<(QuarticTriangle<V>, f64)>
 where
     A: Space<Point = V>,
@@ -59,10 +59,10 @@ where
     let net: [V; 12] = vertices.map(|v| A::lift(&positions[v as usize], base));
     let size = net.iter().map(|p| A::magnitude(p)).fold(0.0, f64::max);
     let mut surface = from_net::box_spline::<A::Scalar, V>(&net);
-    let facet = if limit {
-        [0, 10, 14].map(|corner| surface.0[corner].clone())
-    } else {
-        [3, 6, 7].map(|corner| net[corner].clone())
+    let facet = match compared {
+        Facet::Limit => [0, 10, 14].map(|corner| surface.0[corner].clone()),
+        Facet::Control => [3, 6, 7].map(|corner| net[corner].clone()),
+        Facet::Nothing => return Some((surface, size)),
     };
     let facet = QuarticTriangle::from_linear::<A::Scalar>(&facet);
     surface.subtract::<A::Scalar>(&facet);
