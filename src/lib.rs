@@ -46,6 +46,7 @@ pub mod lp;
 pub mod mesh;
 pub mod paper;
 pub mod patch;
+pub mod predict;
 pub mod refine;
 pub mod report;
 pub mod scalar;

@@ -143,7 +143,10 @@ fn all_papers_share_a_folder_and_an_index() {
         }
     }
     let ids: Vec<&str> = papers.iter().filter_map(|p| p["paper"].as_str()).collect();
-    assert_eq!(ids, ["huang-wang", "cheng-yong", "lanquetin-neveu"]);
+    assert_eq!(
+        ids,
+        ["huang-wang", "cheng-yong", "lanquetin-neveu", "peters-wu"]
+    );
     let verdicts = all["verdicts"].as_object().expect("counts");
     let counted: u64 = verdicts.values().filter_map(Value::as_u64).sum();
     assert_eq!(counted, claims);
@@ -163,4 +166,19 @@ fn bad_usage_is_refused() {
         let assert = subcert(arguments).assert().code(2);
         assert!(assert.get_output().stdout.is_empty(), "{arguments:?}");
     }
+}
+
+#[test]
+fn peters_wu_takes_meshes_of_triangles() {
+    let refused = |arguments: &[&str], part: &str| {
+        let assert = subcert(arguments).assert().code(2);
+        let text = String::from_utf8(assert.get_output().stderr.clone()).expect("text");
+        assert!(text.contains(part), "{text}");
+        assert!(assert.get_output().stdout.is_empty());
+    };
+    let quads = "examples/meshes/bumpy_torus_quads.obj";
+    refused(&["reproduce", "peters-wu", "--mesh", quads], "give a mesh of triangles");
+    refused(&["reproduce", "peters-wu", "--mesh", "no-such.obj"], "no-such.obj");
+    refused(&["reproduce", "cheng-yong", "--mesh", quads], "--mesh is for peters-wu");
+    refused(&["reproduce", "peters-wu", "--valence", "3..31"], "3..30");
 }

@@ -1,12 +1,15 @@
 //! `subcert reproduce`.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 use clap::ValueEnum;
+use subcert::mesh::io;
+use subcert::paper::peters_wu::{self, meshes::StandIn};
 use subcert::paper::{Report, cheng_yong, huang_wang_2008, lanquetin_neveu_2004};
 use subcert::report::{paper, papers};
+use subcert::scheme::Scheme;
 
 use super::bound::Range;
 use super::exit::Outcome;
@@ -16,6 +19,7 @@ use super::progress::Progress;
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Examples:\n  subcert reproduce huang-wang\n  \
         subcert reproduce cheng-yong --valence 3..12\n  \
+        subcert reproduce peters-wu --mesh examples/meshes/bumpy_torus_tri.obj\n  \
         subcert reproduce all --out papers\n\n\
         Each printed number stands beside the paper's own method redone exactly and the sharp value, with\n\
         a verdict that is computed: sharp, true, loose, misprint, refuted or undecided. --out writes\n\
@@ -29,6 +33,9 @@ pub struct Reproduce {
     /// Valences to decide the claims for: 7 or 3..10 (both ends included); tables show those printed
     #[arg(long, value_name = "A..B", default_value = "3..10")]
     valence: Range,
+    /// Peters & Wu: a mesh of triangles to redo their Table 1 on, beside the stand-ins; may be repeated
+    #[arg(long, value_name = "FILE")]
+    mesh: Vec<PathBuf>,
     /// Write the same as Markdown, JSON, plots and certificates into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -45,6 +52,8 @@ enum PaperName {
     ChengYong,
     /// Lanquetin & Neveu 2004, on levels of three schemes
     LanquetinNeveu,
+    /// Peters & Wu 2009, on distances of Loop surfaces to their polyhedra
+    PetersWu,
     /// All of them
     All,
 }
@@ -57,28 +66,53 @@ struct Paper {
     name: PaperName,
     /// The largest valence.
     largest: u32,
-    examine: fn(&[u32], &Tell<'_>) -> anyhow::Result<Report>,
+    examine: fn(&[u32], &[StandIn], &Tell<'_>) -> anyhow::Result<Report>,
 }
 
 /// The papers, in the order of `all`.
-const PAPERS: [Paper; 3] = [
+const PAPERS: [Paper; 4] = [
     Paper {
         name: PaperName::HuangWang,
         // The paper's own investigation ends there.
         largest: huang_wang_2008::printed::INVESTIGATED.1,
-        examine: |valences, tell| Ok(huang_wang_2008::examine(valences, tell)?),
+        examine: |valences, _, tell| Ok(huang_wang_2008::examine(valences, tell)?),
     },
     Paper {
         name: PaperName::ChengYong,
         largest: 20,
-        examine: |valences, tell| Ok(cheng_yong::examine(valences, tell)),
+        examine: |valences, _, tell| Ok(cheng_yong::examine(valences, tell)),
     },
     Paper {
         name: PaperName::LanquetinNeveu,
         largest: 20,
-        examine: |valences, tell| Ok(lanquetin_neveu_2004::examine(valences, tell)),
+        examine: |valences, _, tell| Ok(lanquetin_neveu_2004::examine(valences, tell)),
+    },
+    Paper {
+        name: PaperName::PetersWu,
+        // The paper's own tables end there.
+        largest: peters_wu::printed::TABULATED.1,
+        examine: |valences, meshes, tell| Ok(peters_wu::examine(valences, meshes, tell)),
     },
 ];
+
+/// A mesh of triangles by its file's name.
+fn load(path: &Path) -> anyhow::Result<StandIn> {
+    let mesh = io::read(path)?.mesh;
+    if mesh.topology.arity() != Some(3) {
+        bail!(
+            "{} has faces that are no triangles: Peters & Wu's estimates are for Loop's scheme, so give a mesh of triangles",
+            path.display()
+        );
+    }
+    subcert::refine::topology::check(Scheme::Loop(peters_wu::redone::WEIGHTS), &mesh.topology)
+        .with_context(|| format!("{} has no Loop surface", path.display()))?;
+    let name = path
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
+    Ok(StandIn { name, mesh })
+}
 
 impl Reproduce {
     pub fn run(&self) -> anyhow::Result<Outcome> {
@@ -97,11 +131,19 @@ impl Reproduce {
             bail!("--valence must lie in 3..{largest}: {about} examined for these valences");
         }
         let valences: Vec<u32> = (self.valence.first..=self.valence.last).collect();
+        if !self.mesh.is_empty() && !asked.iter().any(|paper| paper.name == PaperName::PetersWu) {
+            bail!("--mesh is for peters-wu: the other papers are judged without meshes of yours");
+        }
+        let meshes = self
+            .mesh
+            .iter()
+            .map(|path| load(path))
+            .collect::<Result<Vec<_>, _>>()?;
         let progress = Progress::new();
         let tell = |done, count| progress.units(done, count, "valences");
         let reports: Vec<Report> = asked
             .iter()
-            .map(|paper| (paper.examine)(&valences, &tell))
+            .map(|paper| (paper.examine)(&valences, &meshes, &tell))
             .collect::<Result<_, _>>()?;
         progress.finish();
         self.write_folder(&reports)?;

@@ -10,6 +10,7 @@ pub mod cheng_yong;
 mod enclosure;
 pub mod huang_wang_2008;
 pub mod lanquetin_neveu_2004;
+pub mod peters_wu;
 mod proof;
 mod report;
 mod words;

@@ -100,6 +100,13 @@ pub fn all(truths: impl IntoIterator<Item = Option<bool>>) -> Option<bool> {
     every
 }
 
+/// As [`all`], but undecided if there is nothing to decide.
+pub fn every(truths: impl IntoIterator<Item = Option<bool>>) -> Option<bool> {
+    let mut truths = truths.into_iter().peekable();
+    truths.peek()?;
+    all(truths)
+}
+
 /// The valences at which a statement was found false.
 pub fn failures(truths: &[(u32, Option<bool>)]) -> Vec<u32> {
     let failed = truths.iter().filter(|(_, truth)| *truth == Some(false));

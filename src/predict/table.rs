@@ -1,0 +1,87 @@
+//! The distances μ of eigensplines that estimates rest on.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock};
+
+use super::kernel::ModeWeights;
+use crate::bound::Against;
+use crate::scalar::float::round_up;
+use crate::scheme::LoopWeights;
+use crate::spectrum::eigenspline::mode::{Label, ModeFamily};
+use crate::spectrum::eigenspline::{self, table};
+
+/// The largest valence in the table.
+pub const LARGEST: u32 = 30;
+
+/// The deepest level in the table.
+pub const DEEPEST: u32 = 6;
+
+/// The valence, the weights and the mesh of a part of the table.
+type Key = (u32, bool, bool);
+
+/// Upper bounds by level.
+type Levels = Option<Arc<Vec<ModeWeights>>>;
+
+/// Upper bounds of μ_i(m), m <= [`DEEPEST`], for the modes of valence n that count, 3 <= n <= [`LARGEST`].
+///
+/// They are those of [`table::upper`]. What that table lacks is enclosed when it is first asked for
+/// ([`eigenspline::distances`]), which takes seconds.
+///
+/// `None` beyond these valences and levels, or where the distances can't be enclosed.
+pub fn distances(weights: LoopWeights, n: u32, against: Against, m: u32) -> Option<ModeWeights> {
+    let polyhedron = match against {
+        Against::Control => eigenspline::Against::Control,
+        Against::Limit => eigenspline::Against::Limit,
+    };
+    if let Some(bounds) = table::upper(weights, n, polyhedron, m as usize) {
+        return Some(collect(bounds.iter().map(|b| (b.label, b.bound))));
+    }
+    static FOUND: OnceLock<Mutex<BTreeMap<Key, Levels>>> = OnceLock::new();
+    if !(3..=LARGEST).contains(&n) || m > DEEPEST {
+        return None;
+    }
+    let found = FOUND.get_or_init(Mutex::default);
+    let key = (n, weights == LoopWeights::Warren, against == Against::Limit);
+    let known = found.lock().ok()?.get(&key).cloned();
+    // Enclosed outside of the lock: several threads work at it.
+    let levels = match known {
+        Some(levels) => levels,
+        None => {
+            let levels = enclose(weights, n, polyhedron).map(Arc::new);
+            found.lock().ok()?.entry(key).or_insert(levels).clone()
+        }
+    };
+    levels?.get(m as usize).cloned()
+}
+
+fn enclose(
+    weights: LoopWeights,
+    n: u32,
+    polyhedron: eigenspline::Against,
+) -> Option<Vec<ModeWeights>> {
+    let modes = eigenspline::distances(weights, n, polyhedron, DEEPEST as usize)?;
+    let at = |m: usize| {
+        let upper = |mode: &eigenspline::ModeDistances| round_up(&mode.distances[m][1]);
+        collect(modes.iter().map(|mode| (mode.label, upper(mode))))
+    };
+    Some((0..=DEEPEST as usize).map(at).collect())
+}
+
+/// Bounds by mode as weights; ring modes come in the order of their frequencies.
+fn collect(bounds: impl Iterator<Item = (Label, f64)>) -> ModeWeights {
+    let mut found = ModeWeights {
+        ring: Vec::new(),
+        between: f64::INFINITY,
+        ray: f64::INFINITY,
+    };
+    for (label, bound) in bounds {
+        match (label.family, label.frequency) {
+            (ModeFamily::Ring, _) => found.ring.push(bound),
+            (ModeFamily::Between, _) => found.between = bound,
+            (ModeFamily::Ray, None) => found.ray = bound,
+            // What the chain of a generalised mode leads to is no member of the basis.
+            (ModeFamily::Ray, Some(_)) => (),
+        }
+    }
+    found
+}
