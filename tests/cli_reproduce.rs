@@ -177,8 +177,17 @@ fn peters_wu_takes_meshes_of_triangles() {
         assert!(assert.get_output().stdout.is_empty());
     };
     let quads = "examples/meshes/bumpy_torus_quads.obj";
-    refused(&["reproduce", "peters-wu", "--mesh", quads], "give a mesh of triangles");
-    refused(&["reproduce", "peters-wu", "--mesh", "no-such.obj"], "no-such.obj");
-    refused(&["reproduce", "cheng-yong", "--mesh", quads], "--mesh is for peters-wu");
+    refused(
+        &["reproduce", "peters-wu", "--mesh", quads],
+        "give a mesh of triangles",
+    );
+    refused(
+        &["reproduce", "peters-wu", "--mesh", "no-such.obj"],
+        "no-such.obj",
+    );
+    refused(
+        &["reproduce", "cheng-yong", "--mesh", quads],
+        "--mesh is for peters-wu",
+    );
     refused(&["reproduce", "peters-wu", "--valence", "3..31"], "3..30");
 }
