@@ -167,3 +167,27 @@ fn bad_usage_is_refused() {
         assert!(assert.get_output().stdout.is_empty(), "{arguments:?}");
     }
 }
+
+#[test]
+fn peters_wu_takes_meshes_of_triangles() {
+    let refused = |arguments: &[&str], part: &str| {
+        let assert = subcert(arguments).assert().code(2);
+        let text = String::from_utf8(assert.get_output().stderr.clone()).expect("text");
+        assert!(text.contains(part), "{text}");
+        assert!(assert.get_output().stdout.is_empty());
+    };
+    let quads = "examples/meshes/bumpy_torus_quads.obj";
+    refused(
+        &["reproduce", "peters-wu", "--mesh", quads],
+        "give a mesh of triangles",
+    );
+    refused(
+        &["reproduce", "peters-wu", "--mesh", "no-such.obj"],
+        "no-such.obj",
+    );
+    refused(
+        &["reproduce", "cheng-yong", "--mesh", quads],
+        "--mesh is for peters-wu",
+    );
+    refused(&["reproduce", "peters-wu", "--valence", "3..31"], "3..30");
+}

@@ -329,3 +329,36 @@ proptest! {
         }
     }
 }
+
+/// The limit of the middle of the edge a_0 a_1 against the chord between the limits of its ends: the curve between
+/// them bends outwards for n < 6 and inwards for n > 6.
+#[test]
+fn where_the_characteristic_map_leaves_the_limit_facets() {
+    use subcert::predict::inside::stays_inside;
+    use subcert::refine::{enclose_limits, enclose_refined};
+    let scheme = Scheme::Loop(WEIGHTS);
+    for n in [3, 4, 5, 7, 8, 12, 20] {
+        let (spectrum, modes) = loop_modes::<f64>(WEIGHTS, n).expect("floats");
+        let (_, members) = (modes.iter())
+            .find(|(m, _)| m.family == Family::Ring && m.frequency == 1)
+            .expect("the characteristic map");
+        let sine = spectrum.sine_squared(1).sqrt();
+        let [x, y] = [0, 1].map(|i: usize| spectrum.net(members[i]));
+        let net = points((0..x.len()).map(|i| [x[i], y[i] * sine, 0.0]));
+        let mesh = meshes::two_ring(n, &net);
+        let edge = (0..mesh.topology.edge_count()).find(|&e| {
+            let [h, _] = mesh.topology.edge_halfedges(e);
+            let mut ends = [mesh.topology.origin(h), mesh.topology.target(h)];
+            ends.sort_unstable();
+            ends == [1, 2]
+        });
+        let (topology, level) =
+            enclose_refined(scheme, CornerRule::Smooth, &mesh, 1).expect("a mesh");
+        let limits = enclose_limits(scheme, CornerRule::Smooth, &topology, &level).expect("limits");
+        let at = |v: u32| limits.positions[v as usize].0;
+        let middle = at(mesh.topology.vertex_count() + edge.expect("an edge"));
+        let chord = [0, 1].map(|i| 0.5 * (at(1)[i] + at(2)[i]));
+        let inside = middle[0].hypot(middle[1]) < chord[0].hypot(chord[1]);
+        assert_eq!(stays_inside(n), Some(inside), "n = {n}");
+    }
+}
