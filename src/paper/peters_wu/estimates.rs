@@ -5,7 +5,7 @@ use super::figure_5::Saddle;
 use super::printed;
 use super::redone::{Redone, WEIGHTS};
 use crate::bound::Against;
-use crate::paper::words::{every, claim, if_true, ranges};
+use crate::paper::words::{claim, every, if_true, ranges};
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::predict::Estimator;
 use crate::predict::inside::stays_inside;

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::experiment::{Experiment, LOCAL, Row, TABULATED, quotient};
 use super::printed;
 use super::redone::WEIGHTS;
-use crate::paper::words::{every, claim};
+use crate::paper::words::{claim, every};
 use crate::paper::{Claim, Enclosure, Printed, Verdict};
 use crate::predict::Estimator;
 use crate::predict::kernel::Kernel;

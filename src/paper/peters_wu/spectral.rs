@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::printed::{self, Fraction};
-use crate::paper::words::{every, claim, exceptions, if_true, list, ranges};
+use crate::paper::words::{claim, every, exceptions, if_true, list, ranges};
 use crate::paper::{Claim, Enclosure, Table, Verdict};
 use crate::scalar::{Cyclotomic, Field, Rational, Ring};
 use crate::scheme::LoopWeights;

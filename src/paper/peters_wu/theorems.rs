@@ -11,7 +11,7 @@ use num_traits::Zero;
 
 use super::redone::WEIGHTS;
 use crate::bound::Against;
-use crate::paper::words::{every, claim, if_true, ranges};
+use crate::paper::words::{claim, every, if_true, ranges};
 use crate::paper::{Claim, Verdict};
 use crate::predict::kernel::{Kernel, Norms, Sum};
 use crate::predict::table;
