@@ -163,11 +163,16 @@ fn moved_squares_are_as_far_apart_as_they_are_moved() {
     }
 }
 
-/// z = x y over the unit square and the fan from the first corner: on the diagonal they differ by
-/// x (1 - x) in z; the fan's triangles are the planes z = y and z = x. From (t, t, t^2) the nearest
-/// point of z = y is (t, s, s), s = (t + t^2) / 2, in the triangle, at t (1 - t) / sqrt 2: largest at
-/// t = 1/2, 1 / (4 sqrt 2). Off the diagonal, at (x, y), the distance to z = y is y (1 - x) / sqrt 2
-/// for y <= x, at most that.
+/// z = x y over the unit square and the fan from the first corner: the planes z = y and z = x.
+///
+/// *Quad to fan.* From (t, t, t^2) the nearest point of z = y is (t, s, s), s = (t + t^2) / 2, in the
+/// triangle, at t (1 - t) / sqrt 2: largest at t = 1/2, 1 / (4 sqrt 2). Off the diagonal, at (x, y), the
+/// distance to z = y is y (1 - x) / sqrt 2 for y <= x, at most that.
+///
+/// *Fan to quad.* On the diagonal the foot of (t, t, t) is (s, s, s^2) with s - t + s (s^2 - t) = 0, so
+/// t = (s + s^3) / (1 + s), and the distance is s (1 - s) sqrt(2 s^2 + 1) / (1 + s). Its logarithmic
+/// derivative 1/s - 1/(1 - s) + 2 s / (2 s^2 + 1) - 1/(1 + s) vanishes at s = 1/2: 1 / (2 sqrt 6). The
+/// ridge of the fan is its part above the saddle that is farthest from it.
 #[test]
 fn a_bent_quad_and_its_fan() {
     let points = [
@@ -178,11 +183,16 @@ fn a_bent_quad_and_its_fan() {
     ];
     let quad = mesh(&points, &[&[0, 1, 2, 3]]);
     let fan = mesh(&points, &[&[0, 1, 2], &[0, 2, 3]]);
-    for side in [Side::SurfaceToMesh, Side::Both] {
-        let found = mesh_to_mesh(&quad, &fan, side, Facets::Bilinear, goal(1e-8), &quiet);
+    for (side, inverse) in [
+        (Side::SurfaceToMesh, 32),
+        (Side::MeshToSurface, 24),
+        (Side::Both, 24),
+    ] {
+        let found = mesh_to_mesh(&quad, &fan, side, Facets::Bilinear, goal(1e-7), &quiet);
         let found = found.expect("measured");
-        assert!(found.met && found.hi - found.lo <= 2e-8, "{found:?}");
-        assert!(encloses_square(&found, &ratio(1, 32)), "{side:?} {found:?}");
+        assert!(found.met && found.hi - found.lo <= 2e-7, "{found:?}");
+        let exact = ratio(1, inverse);
+        assert!(encloses_square(&found, &exact), "{side:?} {found:?}");
     }
     let same = mesh_to_mesh(
         &quad,

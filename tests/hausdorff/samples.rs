@@ -62,18 +62,19 @@ struct Cloud {
 }
 
 /// Surface and mesh, sampled by the oracle over the same grid of parameters.
-fn clouds(net: &Net, question: Question) -> [Cloud; 2] {
+fn clouds(net: &Net, question: Question, ours: Scheme) -> [Cloud; 2] {
     let mesh = oracle::Mesh {
         points: net.points.iter().map(|p| p.map(|x| x as f64)).collect(),
         faces: net.faces.clone(),
     };
     let samples = oracle::samples(&mesh, question);
     let mut gaps = [0.0_f64; 2];
-    // The first Catmull-Clark step makes the quarters, so their grid is twice as coarse.
-    let step = if question.scheme == OracleScheme::CatmullClark {
-        2
-    } else {
+    // The first Catmull-Clark step makes the quarters, and under Doo-Sabin the samples are the corners
+    // of the cells of the step before: their grids are twice as coarse.
+    let step = if matches!(ours, Scheme::Loop(_)) {
         1
+    } else {
+        2
     };
     let key = |s: &oracle::Sample<f64>| (s.face, s.corner);
     for (i, a) in samples.iter().enumerate() {
@@ -116,7 +117,7 @@ fn nearest(points: &[[f64; 3]]) -> impl Fn(&[f64; 3]) -> f64 {
 /// samples; on triangles the distance of a surface sample to the mesh is exact.
 fn compare(net: &Net, question: Question, ours: Scheme) {
     let what = format!("{} {question:?}", net.name);
-    let [surface, facets] = clouds(net, question);
+    let [surface, facets] = clouds(net, question, ours);
     let level = oracle::level_mesh(
         &oracle::Mesh {
             points: net.points.iter().map(|p| p.map(|x| x as f64)).collect(),
@@ -209,7 +210,11 @@ fn brute_force(list: impl Iterator<Item = Net>, levels: &[usize]) -> usize {
                             corner,
                             level,
                             against,
-                            depth: if net.faces.len() > 12 { 2 } else { 3 },
+                            depth: if net.faces.len() << (2 * level) > 12 {
+                                2
+                            } else {
+                                3
+                            },
                         };
                         compare(&net, question, ours);
                         count += 1;

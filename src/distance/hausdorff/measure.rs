@@ -30,7 +30,7 @@ use crate::scheme::Scheme;
 /// Pieces of one side after which it is left undecided: many more than a gap of 1e-6 takes, unless the
 /// two sets are one and the same, cut differently.
 const CELLS: u64 = 1 << 20;
-const CELLS_PER_FACE: u64 = 32;
+const CELLS_PER_FACE: u64 = 256;
 
 /// Encloses a Hausdorff distance between the limit surface of `mesh` and its own level-K mesh, or
 /// `other` if given.

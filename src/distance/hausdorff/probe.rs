@@ -9,8 +9,10 @@
 //!
 //! Pieces are split while they might still offer something better by more than the tolerance.
 
+use std::collections::HashMap;
+
 use super::bvh::Tree;
-use super::metric::{Support, foot, length};
+use super::metric::{Aabb, Support, foot, length};
 use super::shape::Shape;
 use crate::patch::Lane;
 
@@ -70,6 +72,14 @@ impl<'a> Probe<'a> {
         self.lower.min(self.upper).max(0.0)
     }
 
+    /// A lower bound of `max_i dist(p_i, piece)` for any piece in the box.
+    #[inline]
+    fn box_promise(&self, bounds: &Aabb) -> f64 {
+        let square = |p: &Lane| bounds.distance_squared(p);
+        let farthest = self.points.iter().map(square).fold(0.0, f64::max);
+        farthest.sqrt() - self.error
+    }
+
     fn done(&self) -> bool {
         self.upper <= self.enough
     }
@@ -125,19 +135,42 @@ impl<'a> Probe<'a> {
     }
 }
 
-/// Storage of [`nearest`], reused.
+/// A piece, and the pieces it was split into, once it was.
+struct Grown<P> {
+    piece: P,
+    bounds: Aabb,
+    /// A range of the item's pieces; empty if it can't be split.
+    parts: Option<std::ops::Range<u32>>,
+}
+
+/// The pieces of an item that have been needed so far, its first ones in front.
+struct Grove<P> {
+    roots: u32,
+    pieces: Vec<Grown<P>>,
+}
+
+/// Storage of [`nearest`], reused: neighbouring questions look at the same pieces again and again.
 pub struct Storage<B: Shape> {
     scratch: B::Scratch,
     fresh: Vec<B::Piece>,
-    pieces: Vec<(f64, B::Piece)>,
+    groves: HashMap<u32, Grove<B::Piece>>,
+    /// Number of pieces in all groves.
+    kept: usize,
+    /// Pieces to look at, with what they promise.
+    pending: Vec<(f64, u32)>,
 }
+
+/// Number of pieces that are kept before all are forgotten. What is kept changes no answer.
+const KEPT: usize = 1 << 15;
 
 impl<B: Shape> Default for Storage<B> {
     fn default() -> Self {
         Storage {
             scratch: B::Scratch::default(),
             fresh: Vec::new(),
-            pieces: Vec::new(),
+            groves: HashMap::new(),
+            kept: 0,
+            pending: Vec::new(),
         }
     }
 }
@@ -146,11 +179,7 @@ impl<B: Shape> Default for Storage<B> {
 pub fn nearest<B: Shape>(shape: &B, tree: &Tree, probe: &mut Probe<'_>, storage: &mut Storage<B>) {
     tree.visit(
         probe,
-        |probe, bounds| {
-            let square = |p: &Lane| bounds.distance_squared(p);
-            let farthest = probe.points.iter().map(square).fold(0.0, f64::max);
-            farthest.sqrt() - probe.error
-        },
+        Probe::box_promise,
         |probe| {
             if probe.done() {
                 f64::NEG_INFINITY
@@ -173,25 +202,44 @@ fn visit_item<B: Shape>(shape: &B, item: u32, probe: &mut Probe<'_>, storage: &m
     let Storage {
         scratch,
         fresh,
-        pieces,
+        groves,
+        kept,
+        pending,
     } = storage;
-    pieces.clear();
-    fresh.clear();
-    shape.open(item, scratch, fresh);
-    loop {
-        for piece in fresh.drain(..) {
-            pieces.push((promise(shape, &piece, probe), piece));
+    if *kept > KEPT {
+        groves.clear();
+        *kept = 0;
+    }
+    let grove = groves.entry(item).or_insert_with(|| {
+        shape.open(item, scratch, fresh);
+        *kept += fresh.len();
+        let grown = |piece| grow(shape, piece);
+        Grove {
+            roots: fresh.len() as u32,
+            pieces: fresh.drain(..).map(grown).collect(),
         }
-        let best = (0..pieces.len()).reduce(|a, b| if pieces[b].0 < pieces[a].0 { b } else { a });
-        let Some(best) = best else { break };
-        let (bound, piece) = pieces.swap_remove(best);
+    });
+    pending.clear();
+    let mut next = 0..grove.roots;
+    loop {
+        for i in next {
+            let bound = promise(shape, &grove.pieces[i as usize], probe);
+            pending.push((bound, i));
+        }
+        next = 0..0;
+        let least = |a: usize, b: usize| if pending[b].0 < pending[a].0 { b } else { a };
+        let Some(best) = (0..pending.len()).reduce(least) else {
+            break;
+        };
+        let (bound, index) = pending.swap_remove(best);
         if bound >= probe.upper {
             // No other piece is better.
             probe.leave(bound);
             break;
         }
         probe.visited += 1;
-        let outline = shape.outline(&piece);
+        let grown = &grove.pieces[index as usize];
+        let outline = shape.outline(&grown.piece);
         let (count, cores, twist) = outline.cores();
         let width = outline.thickness + twist + probe.error;
         for triangle in &cores[..count] {
@@ -202,27 +250,64 @@ fn visit_item<B: Shape>(shape: &B, item: u32, probe: &mut Probe<'_>, storage: &m
             probe.leave(bound);
             continue;
         }
-        shape.split(&piece, scratch, fresh);
-        if fresh.is_empty() {
+        next = match &grown.parts {
+            Some(parts) => parts.clone(),
+            None => {
+                shape.split(&grown.piece, scratch, fresh);
+                let start = grove.pieces.len() as u32;
+                let parts = start..start + fresh.len() as u32;
+                *kept += fresh.len();
+                let grown = |piece| grow(shape, piece);
+                grove.pieces.extend(fresh.drain(..).map(grown));
+                grove.pieces[index as usize].parts = Some(parts.clone());
+                parts
+            }
+        };
+        if next.is_empty() {
             probe.leave(bound);
         }
     }
 }
 
-/// A lower bound of `max_i dist(p_i, piece)`: supports of its hull, away from the foot on its
-/// outline.
-fn promise<B: Shape>(shape: &B, piece: &B::Piece, probe: &Probe<'_>) -> f64 {
-    let outline = shape.outline(piece);
+fn grow<B: Shape>(shape: &B, piece: B::Piece) -> Grown<B::Piece> {
+    let bounds = shape.piece_box(&piece);
+    Grown {
+        piece,
+        bounds,
+        parts: None,
+    }
+}
+
+/// A lower bound of `max_i dist(p_i, piece)`: of its box; or of the support of its corners, less its
+/// thickness; or, where that is thick, the support of its hull. Directions are those from the feet
+/// on its outline.
+fn promise<B: Shape>(shape: &B, grown: &Grown<B::Piece>, probe: &Probe<'_>) -> f64 {
+    let boxed = probe.box_promise(&grown.bounds);
+    if boxed >= probe.upper {
+        return boxed;
+    }
+    let outline = shape.outline(&grown.piece);
     let (count, cores, _) = outline.cores();
     let mut supports = [Support::new(&Lane([0.0; 4]), &Lane([0.0; 4])); 4];
     for (support, p) in supports.iter_mut().zip(probe.points) {
-        let feet = cores[..count].iter().map(|core| foot(p, core));
         let distance = |q: &Lane| length(p, q);
+        let feet = cores[..count].iter().map(|core| foot(p, core));
         let nearest = feet.reduce(|a, b| if distance(&b) < distance(&a) { b } else { a });
         *support = Support::new(p, &nearest.unwrap_or(*p));
+        outline.corners().iter().for_each(|x| support.include(x));
     }
     let supports = &mut supports[..probe.points.len()];
-    shape.hull(piece, |x| supports.iter_mut().for_each(|s| s.include(x)));
-    let farthest = supports.iter().map(Support::distance).fold(0.0, f64::max);
-    farthest - probe.error - outline.slack
+    let farthest = |supports: &[Support]| {
+        let distances = supports.iter().map(Support::distance);
+        distances.fold(0.0, f64::max) - probe.error
+    };
+    let thin = farthest(supports) - outline.thickness;
+    let bound = boxed.max(thin);
+    if bound >= probe.upper || outline.thickness <= 0.25 * probe.tolerance {
+        return bound;
+    }
+    shape.hull(&grown.piece, |x| {
+        supports.iter_mut().for_each(|s| s.include(x))
+    });
+    bound.max(farthest(supports) - outline.slack)
 }

@@ -255,13 +255,9 @@ impl<A: Shape, B: Shape> Search<'_, A, B> {
             };
             done.cells += 1;
             let outline = *self.source.outline(&piece);
-            let mut known = None;
-            if outline.thickness < cutoff {
-                done.probes += 1;
-                let (found, upper) = self.cover(&piece, bound, lo, storage);
-                bound = bound.min(upper);
-                known = found;
-            }
+            done.probes += 1;
+            let (known, upper) = self.cover(&piece, bound, lo, storage);
+            bound = bound.min(upper);
             if bound > cutoff
                 && let Some(found) = known
             {
@@ -314,9 +310,8 @@ impl<A: Shape, B: Shape> Search<'_, A, B> {
         let outline = self.source.outline(piece);
         let cutoff = self.closeness.cutoff(lo);
         let enough = cutoff - outline.thickness;
-        let reach = bound - outline.thickness;
-        let tolerance = self.closeness.tolerance(lo);
-        let mut probe = Probe::new(outline.corners(), self.error, tolerance, enough, reach);
+        let tolerance = 4.0 * self.closeness.tolerance(lo);
+        let mut probe = Probe::new(outline.corners(), self.error, tolerance, enough, bound);
         nearest(self.target, self.tree, &mut probe, storage);
         let mut upper = probe.upper + outline.thickness;
         if let Some(found) = probe.found
