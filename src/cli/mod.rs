@@ -18,6 +18,7 @@ mod measure;
 mod progress;
 mod refine;
 mod reproduce;
+mod spectrum;
 
 /// Certified distances between subdivision surfaces and their meshes.
 #[derive(Parser, Debug)]
@@ -45,6 +46,8 @@ enum Command {
     Measure(measure::Measure),
     /// Enclose bound constants, distance over the largest second difference, with certificates
     Bound(bound::Bound),
+    /// Eigenvalues of a scheme at a vertex, and whether its characteristic map is injective
+    Spectrum(spectrum::Spectrum),
     /// Judge every claim of a paper: printed, redone, sharp, verdict, certificate
     Reproduce(reproduce::Reproduce),
 }
@@ -207,6 +210,7 @@ pub fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
         Command::Refine(refine) => refine.run(),
         Command::Measure(measure) => measure.run(),
         Command::Bound(bound) => bound.run(),
+        Command::Spectrum(spectrum) => spectrum.run(),
         Command::Reproduce(reproduce) => reproduce.run(),
     }
 }

@@ -6,3 +6,4 @@ pub mod measurement;
 pub mod paper;
 pub mod papers;
 pub mod plots;
+pub mod spectrum;

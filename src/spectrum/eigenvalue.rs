@@ -6,6 +6,7 @@ use std::fmt;
 use crate::scalar::{Cyclotomic, Field, Interval, Rational, Ring};
 
 use super::represent::Represent;
+use super::square::prime_against_square;
 
 /// A real eigenvalue.
 #[derive(Clone, Debug)]
@@ -16,7 +17,7 @@ pub enum Eigenvalue {
     Root(Root),
 }
 
-/// A root of `x^2 - trace x + determinant`, whose discriminant is positive.
+/// A root of `x^2 - trace x + determinant`, whose discriminant is positive and no rational square.
 #[derive(Clone, Debug)]
 pub struct Root {
     /// The sum of both roots.
@@ -36,6 +37,12 @@ impl Root {
     /// `trace^2 - 4 determinant`.
     pub fn discriminant(&self) -> Cyclotomic {
         discriminant(&self.trace, &self.determinant)
+    }
+
+    /// A prime that proves the root not to lie in Q(2 cos 2π/n), the trace and the determinant lying
+    /// there: see [`super::square`]. `None` if none below its limit does.
+    pub fn irrational_by(&self, n: u32) -> Option<u64> {
+        prime_against_square(&self.discriminant(), n)
     }
 
     /// An enclosure, by the quadratic formula; proved by the exact signs of the polynomial at its
@@ -95,10 +102,11 @@ impl Root {
         if self.trace == other.trace && self.determinant == other.determinant {
             return self.larger.cmp(&other.larger);
         }
-        if let Some(x) = self.common(other) {
-            if self.is(&x) && other.is(&x) {
-                return Ordering::Equal;
-            }
+        if let Some(x) = self.common(other)
+            && self.is(&x)
+            && other.is(&x)
+        {
+            return Ordering::Equal;
         }
         // Different numbers: a rational between them is found by halving.
         let (mut low, mut high) = {
@@ -186,11 +194,58 @@ impl fmt::Display for Eigenvalue {
             Eigenvalue::Exact(x) => write!(f, "{x}"),
             Eigenvalue::Root(root) => write!(
                 f,
-                "{} root of x^2 - t x + d, t = {}, d = {}",
+                "{} root of x^2 - t x + d, d = {}, t = {}",
                 if root.larger { "larger" } else { "smaller" },
-                root.trace,
-                root.determinant
+                root.determinant,
+                root.trace
             ),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn exact(p: i64, q: i64) -> Eigenvalue {
+        Eigenvalue::Exact(Cyclotomic::ratio(p, q))
+    }
+
+    fn root(trace: i64, determinant: i64, larger: bool) -> Eigenvalue {
+        Eigenvalue::Root(Root {
+            trace: Cyclotomic::from_integer(trace),
+            determinant: Cyclotomic::from_integer(determinant),
+            larger,
+        })
+    }
+
+    /// Numbers in their order: -√3, -√2, -1, 1 - √2, .., by the polynomials x^2 - 3, x^2 - 2, x^2 - 2x - 1.
+    #[test]
+    fn roots_are_ordered_exactly() {
+        let ascending = [
+            root(0, -3, false),
+            root(0, -2, false),
+            exact(-1, 1),
+            root(2, -1, false),
+            exact(0, 1),
+            exact(7, 5),
+            root(0, -2, true),
+            exact(3, 2),
+            root(0, -3, true),
+            exact(12071, 5000),
+            root(2, -1, true),
+            exact(5, 2),
+        ];
+        for (i, a) in ascending.iter().enumerate() {
+            for (j, b) in ascending.iter().enumerate() {
+                assert_eq!(a.compare(b), i.cmp(&j), "{a} and {b}");
+            }
+        }
+        // -√2 and √2 in magnitude; the root 2 that (x - 1)(x - 2) and (x - 2)(x - 3) have in common.
+        let [low, high] = [root(0, -2, false), root(0, -2, true)];
+        assert!(low.compare_magnitude(&high).is_eq());
+        assert!(root(3, 2, true).compare(&root(5, 6, false)).is_eq());
+        assert!(root(3, 2, true).compare(&exact(2, 1)).is_eq());
+        assert!(root(3, 2, false).compare(&exact(2, 1)).is_lt());
     }
 }

@@ -8,8 +8,9 @@
 //! functional l(u) of A: the second ring doesn't act on the first.
 //!
 //! **Eigenvectors of M'** = (p q / r s): λ = p, if it is 1 x 1. Else λ runs through the roots of
-//! `x^2 - (p + s) x + (p s - q r)`, with the right eigenvector (1, (λ - p) / q) and the left one (1,
-//! (λ - p) / r); if q = r = 0, the unit vectors. Coordinates are exact, so "is 0" is decided.
+//! `x^2 - (p + s) x + (p s - q r)`, with the right eigenvector (1, (λ - p) / q) and the left one
+//! (λ - s, q), whose product is 2 λ - p - s: plus or minus the root of the discriminant. If q = r = 0,
+//! they are the unit vectors. Coordinates are exact, so "is 0" is decided.
 //!
 //! **Extension.** Let v be a net with these values and 0 on the second ring, r the values of A v there,
 //! and `r = Σ ρ_m u_m` in the local modes of [`super::outer`], μ_m their eigenvalues. Then
@@ -24,7 +25,7 @@ use super::outer::OuterMode;
 use super::phase::{Frequency, Phase};
 use super::represent::Represent;
 use super::two_ring::{Point, Stencil, TwoRing};
-use crate::scalar::{Cyclotomic, Field, Interval, Rational, Ring};
+use crate::scalar::{Cyclotomic, Decide, Field, Interval, Rational, Ring};
 
 /// The values of a net of frequency k: those of sector j are `w^j` times those of sector 0.
 #[derive(Clone, Debug)]
@@ -151,8 +152,8 @@ fn eigenvalues(
         return (0..2).map(|q| (entry(q), Branch::Unit(q))).collect();
     }
     assert!(
-        !first[1].is_zero() && !second[0].is_zero(),
-        "edges and faces act on each other"
+        !first[1].is_zero(),
+        "faces act on edges if edges act on faces"
     );
     let trace = real(first[0].clone() + &second[1]);
     let determinant =
@@ -248,7 +249,7 @@ fn enclosed(
 /// The vectors of an eigenvalue of M', extended to the two-ring as the head of this file has it.
 ///
 /// Over intervals λ must be apart from every local eigenvalue.
-fn extend<S: Field>(
+fn extend<S: Decide>(
     ring: &TwoRing<S>,
     outer: &[OuterMode<S>],
     frequency: &Frequency<S>,
@@ -265,14 +266,12 @@ fn extend<S: Field>(
     let (u, l) = match branch {
         Branch::Unit(kind) => (unit(kind), unit(kind)),
         Branch::Generic => {
-            let over = |z: &Phase<S>| {
-                let excess = lambda.clone() - &matrix[0][0];
-                vec![
-                    Phase::real(S::one()),
-                    frequency.product(&excess, &frequency.inverse(z)),
-                ]
-            };
-            (over(&matrix[0][1]), over(&matrix[1][0]))
+            let over_edge = lambda.clone() - &matrix[0][0];
+            let over_face = lambda - &matrix[1][1];
+            let across = &matrix[0][1];
+            let face = frequency.product(&over_edge, &frequency.inverse(across));
+            let edge = Phase::real(S::one());
+            (vec![edge, face], vec![over_face, across.clone()])
         }
     };
     let pairing =
@@ -300,14 +299,7 @@ fn extend<S: Field>(
             *z = z.clone() + &right.center;
         }
         left.center = (left.kinds.iter()).fold(Phase::zero(), |sum, b| sum - b);
-        // To the value 1 at the first kind instead of its difference to the centre.
-        let value = right.kinds[0].x.clone();
-        let scaled = |net: &mut FourierNet<S>, factor: &S| {
-            net.center = net.center.clone() * factor;
-            net.kinds.iter_mut().for_each(|z| *z = z.clone() * factor);
-        };
-        scaled(&mut right, &(S::one() / &value));
-        scaled(&mut left, &value);
+        normalise(&mut right, &mut left, inner);
     }
 
     let images: Vec<Phase<S>> = (0..ring.rules().kinds())
@@ -341,4 +333,20 @@ fn extend<S: Field>(
         }
     }
     Vectors { right, left, chain }
+}
+
+/// Scales a real pair so that the right net has the value 1 at the first inner kind where it is
+/// certainly not 0.
+fn normalise<S: Decide>(right: &mut FourierNet<S>, left: &mut FourierNet<S>, inner: usize) {
+    let mut values = right.kinds[..inner].iter().map(|z| z.x.clone());
+    let not_zero = |x: &S| matches!(x.decide(&S::zero()), Some(order) if order.is_ne());
+    let Some(value) = values.find(not_zero) else {
+        return;
+    };
+    let scale = |net: &mut FourierNet<S>, factor: &S| {
+        net.center = net.center.clone() * factor;
+        net.kinds.iter_mut().for_each(|z| *z = z.clone() * factor);
+    };
+    scale(right, &(S::one() / &value));
+    scale(left, &value);
 }

@@ -2,6 +2,8 @@
 //!
 //! w = e^(2πi k/n), k the frequency. All amplitudes lie in Q(2 cos 2π/n).
 
+use num_traits::Zero;
+
 use super::inner::InnerMode;
 use super::phase::Phase;
 use super::{Member, Parity, Represent, Rules, Spectrum};
@@ -96,7 +98,7 @@ pub fn loop_modes<S: Represent>(
         let parity = [Parity::Even, Parity::Odd].map(|parity| Member::Inner { mode, parity });
         let real = inner.frequency == 0 || 2 * inner.frequency == n;
         let members = parity[..if real { 1 } else { 2 }].to_vec();
-        modes.push((ring(inner)?, members));
+        modes.push((ring(inner, n)?, members));
     }
     for (mode, family) in [Family::Between, Family::Ray].into_iter().enumerate() {
         let vector = &spectrum.outer()[mode].vector;
@@ -131,24 +133,21 @@ fn constant<S: Represent>() -> Mode<S> {
 }
 
 /// By reflection, real on the rays and a multiple of 1 + w between them: 2 at k = 0, 0 at k = n/2.
-fn ring<S: Represent>(inner: &InnerMode<S>) -> Option<Mode<S>> {
+fn ring<S: Represent>(inner: &InnerMode<S>, n: u32) -> Option<Mode<S>> {
     let between = |d: &Phase<S>| match inner.frequency {
         0 => d.x.clone() * &S::ratio(1, 2),
         _ => d.y.clone(),
     };
     let kinds = &inner.right.kinds;
+    // Between s (1 + w) also has s (1 + w)(1 + w^-1) = s (2 + c) on the rays.
+    let c = S::two_cos(inner.frequency, n)?;
     let generalised = (!inner.chain.is_empty()).then(|| {
-        // The local modes at frequency k: between ρ gives d = ρ and b = ρ (1 + w^-1), ray ρ gives b.
         let of = |mode| inner.chain.iter().filter(move |(m, _)| *m == mode);
-        let sum = |mode| of(mode).fold(S::zero(), |sum, (_, z)| sum + &z.x);
-        (sum(0), sum(1))
+        let sum = |mode| of(mode).fold(Phase::zero(), |sum: Phase<S>, (_, z)| sum + z);
+        let between = between(&sum(0));
+        let ray = sum(1).x + &(between.clone() * &(c + &S::from_integer(2)));
+        Chain { between, ray }
     });
-    let generalised = match generalised {
-        // A chain in the eigenspace of 1/8 does not occur, and has no real form but at k = 0.
-        Some((between, _)) if !between.is_zero() => return None,
-        Some((between, ray)) => Some(Chain { between, ray }),
-        None => None,
-    };
     Some(Mode {
         family: Family::Ring,
         frequency: inner.frequency,

@@ -12,7 +12,11 @@
 //! | [`outer`] | eigenvectors that vanish on the first ring: local |
 //! | [`inner`] | the others, by frequencies; Jordan blocks are found, not looked up |
 //! | [`eigenvalue`] | elements of Q(2 cos 2π/n), or roots of quadratic polynomials over it |
+//! | [`square`] | proof that a root does not lie in that field |
+//! | [`characteristic`], [`jacobian`] | the characteristic map: regular and injective |
+//! | [`table`] | what is claimed of a valence |
 //! | [`loop_modes`] | Loop's modes in the normal form of papers |
+//! | [`eigenspline`] | distances of the modes from their polyhedra |
 //!
 //! [`Spectrum`] is a basis of nets and its dual. For a member v of the basis, `A v = λ v`, unless its
 //! mode is generalised: then `A v = λ v +` [`Spectrum::chain`].
@@ -28,13 +32,17 @@
 //! assert_eq!(spectrum.compose(&spectrum.coefficients(&net)), net);
 //! ```
 
+pub mod characteristic;
 pub mod eigenspline;
 pub mod eigenvalue;
 pub mod inner;
+pub mod jacobian;
 pub mod loop_modes;
 pub mod outer;
 pub mod phase;
 pub mod represent;
+pub mod square;
+pub mod table;
 pub mod two_ring;
 
 pub use eigenvalue::Eigenvalue;

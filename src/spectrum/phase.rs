@@ -111,7 +111,7 @@ impl<S: Field> Frequency<S> {
             S::two_cos(j, n)
         };
         let mut powers = Vec::with_capacity(n as usize);
-        if 2 * k % n == 0 {
+        if (2 * k).is_multiple_of(n) {
             let half = S::ratio(1, 2);
             for j in 0..n {
                 powers.push(Phase::real(cosine(j)? * &half));
@@ -154,7 +154,7 @@ impl<S: Field> Frequency<S> {
 
     /// Whether w is 1 or -1: then the frequency has one real mode where others have a pair.
     pub fn is_real(&self) -> bool {
-        2 * self.k % self.n == 0
+        (2 * self.k).is_multiple_of(self.n)
     }
 
     /// w^j.

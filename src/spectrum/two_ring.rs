@@ -50,6 +50,14 @@ impl Rules {
         }
     }
 
+    /// The names of the points of a sector, in order.
+    pub const fn kind_names(self) -> &'static [&'static str] {
+        match self {
+            Rules::Loop(_) => &["ring", "between", "ray"],
+            Rules::CatmullClark => &["edge", "face", "ray", "near", "far", "corner"],
+        }
+    }
+
     /// The number of kinds in the first ring, which come first: 1 or 2.
     pub const fn inner_kinds(self) -> usize {
         match self {
@@ -59,7 +67,7 @@ impl Rules {
     }
 
     /// Which point of the two-ring each label of Stam's local net of sector 0 is.
-    fn local_points(self, n: u32) -> Vec<Point> {
+    pub(super) fn local_points(self, n: u32) -> Vec<Point> {
         let at = |kind: usize, sector: i64| Point::of(n, kind, sector);
         let turn = i64::from(n);
         match self {
