@@ -40,6 +40,8 @@ fn shown(facets: Vec<Facet>, alone: bool, chi: &Quartic, e: &Quartic, bound: Fix
     let bounds = vec![bound];
     let mut scene = Scene { facets, alone, heights, bounds, quarters: &quarters, failed, work };
     scene.show(chi, &[(0, *e)], 0);
+    // Where it is shown, it is so without cutting the part small.
+    assert!(!scene.failed.is_empty() || scene.work < 100, "{}", scene.work);
     scene.failed.is_empty()
 }
 
@@ -68,6 +70,22 @@ fn parts_are_to_lie_in_the_facets() {
     let folded = facets([0, 0], Across::Facet(1));
     assert!(!shown(folded, false, &part(ASTRIDE), &zero, half));
     assert!(!shown(both(), false, &part([[20, 20], [21, 20], [20, 21]]), &zero, half));
+}
+
+#[test]
+fn heights_are_tilted_to_the_worse_inside() {
+    let (face, [one, none]) = (&both()[0], [Fixed::ONE, Fixed::ZERO]);
+    let (chi, gaps) = (part(INSIDE), [Complex::real(one); 15]);
+    let unit = Complex::real(one);
+    assert!(outweighs(&gaps, unit, [one, none, one]));
+    assert!(!outweighs(&gaps, -unit, [one, none, one]));
+    assert!(!outweighs(&gaps, unit, [one, -one, one]));
+    // e = 1, E = 0, T = 1: e - E + (T_0 + T_2) = 2 - T_1 = 2 - x.
+    let heights = tilted(&[Complex::ZERO; 3], unit, [one, none, one]);
+    for z in chi {
+        let gap = face.gap(&heights, &face.areas(z), unit) - (unit + unit) + Complex::real(z.re);
+        assert!(gap.norm().below(number(1, 1 << 60)));
+    }
 }
 
 #[test]
