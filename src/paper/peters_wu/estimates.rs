@@ -5,7 +5,7 @@ use super::figure_5::Saddle;
 use super::printed;
 use super::redone::{Redone, WEIGHTS};
 use crate::bound::Against;
-use crate::paper::words::{every, claim, if_true, ranges};
+use crate::paper::words::{claim, every, if_true, ranges};
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::predict::Estimator;
 use crate::predict::inside::stays_inside;
@@ -16,7 +16,7 @@ use crate::predict::table;
 const LEVELS: u32 = 4;
 
 /// The level, valence, frequency and amplitude at which `tab-eigen` is tried on a nearly flat wave.
-const WAVE: (u32, u32, u32, f64) = (1, 4, 2, 1.0 / 64.0);
+const WAVE: (u32, u32, u32, f64) = (1, 8, 4, 1.0 / 64.0);
 
 fn weights_of(w: &ModeWeights) -> Vec<f64> {
     w.ring.iter().copied().chain([w.between, w.ray]).collect()
