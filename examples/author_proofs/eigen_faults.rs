@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 use subcert::certificate::Certificate;
-use subcert::scheme::LoopWeights::{Original, Warren};
+use subcert::scheme::LoopWeights::Original;
 use subcert::scheme::Scheme;
 use subcert::spectrum::eigenspline::Against;
 use subcert::spectrum::eigenspline::certificates::{
@@ -59,7 +59,7 @@ fn maps(folder: &Path) -> Result<(), Box<dyn Error>> {
 }
 
 fn centres(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let centre = json_of(Some(centre_distance(Warren, 7)))?;
+    let centre = json_of(Some(centre_distance(Original, 7)))?;
     write(
         folder,
         &centre,

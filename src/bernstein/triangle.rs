@@ -266,3 +266,28 @@ fn difference<S: Field, V: Module<S>>(
     }
     result
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Rational;
+
+    /// A quarter at (v, w) is the whole at the image of (v, w), exactly; and so is its corner's value.
+    #[test]
+    fn quarters_are_the_form_over_parts() {
+        let value = |i: usize| <Rational as Field>::ratio((i * i * 7 % 23) as i64 - 9, 5);
+        let whole = QuarticTriangle(std::array::from_fn(value));
+        let at = [(1, 7), (2, 5)].map(|(p, q)| <Rational as Field>::ratio(p, q));
+        let half = |x: usize| <Rational as Field>::ratio(x as i64, 2);
+        for (quarter, corners) in whole.quarters::<Rational>().iter().zip(QUARTER_CORNERS) {
+            let [o, a, b] = corners.map(|corner| corner.map(half));
+            let place =
+                [0, 1].map(|c| o[c].clone() + (&a[c] - &o[c]) * &at[0] + (&b[c] - &o[c]) * &at[1]);
+            let (found, _) = quarter.evaluate([&at[0], &at[1]]);
+            assert_eq!(found, whole.evaluate([&place[0], &place[1]]).0);
+            for (corner, index) in [o, a, b].iter().zip([0, 10, 14]) {
+                assert_eq!(quarter.0[index], whole.evaluate([&corner[0], &corner[1]]).0);
+            }
+        }
+    }
+}

@@ -16,6 +16,7 @@
 //! | [`characteristic`], [`jacobian`] | the characteristic map: regular and injective |
 //! | [`table`] | what is claimed of a valence |
 //! | [`loop_modes`] | Loop's modes in the normal form of papers |
+//! | [`eigenspline`] | distances of the modes from their polyhedra |
 //!
 //! [`Spectrum`] is a basis of nets and its dual. For a member v of the basis, `A v = λ v`, unless its
 //! mode is generalised: then `A v = λ v +` [`Spectrum::chain`].

@@ -190,17 +190,12 @@ impl Scene<'_> {
         let gaps = |heights: &Heights| -> [Complex; 15] {
             std::array::from_fn(|i| face.gap(heights, &view.areas[i], e[i]))
         };
-        let small = |gaps: &[Complex; 15]| gaps.iter().all(|gap| gap.norm().at_most(bound));
         let plain = gaps(heights);
-        if small(&plain) {
+        if are_small(&plain, bound) {
             return true;
         }
-        let (u, [a, b, c]) = tilt(&plain, &view.areas);
-        let along = |gap: &Complex| (gap.re * u.re + gap.im * u.im).is_at_least_zero();
-        let allowed = [a, b, c].into_iter().all(Fixed::is_at_least_zero);
-        let [first, second, third] = *heights;
-        let tilted = [first - u * a, second + u * (a - b), third + u * (a - c)];
-        allowed && plain.iter().all(along) && small(&gaps(&tilted))
+        let (u, factors) = tilt(&plain, &view.areas);
+        outweighs(&plain, u, factors) && are_small(&gaps(&tilted(heights, u, factors)), bound)
     }
 
     /// The magnitude of e - E at a point is shown to be at least the bound, on each facet where the point may be.
@@ -222,8 +217,26 @@ impl Scene<'_> {
     }
 }
 
+fn are_small(gaps: &[Complex; 15], bound: Fixed) -> bool {
+    gaps.iter().all(|gap| gap.norm().at_most(bound))
+}
+
+/// `t_v >= 0` and `Re(conj(u) g_i) >= 0` are shown: then `|g + u Σ t_v T_v| >= |g|` where no `T_v` is negative.
+fn outweighs(gaps: &[Complex; 15], u: Complex, factors: [Fixed; 3]) -> bool {
+    let along = |gap: &Complex| (gap.re * u.re + gap.im * u.im).is_at_least_zero();
+    factors.into_iter().all(Fixed::is_at_least_zero) && gaps.iter().all(along)
+}
+
+/// The heights `E_v - t_v u`, with which `g + u Σ t_v T_v` takes the place of g.
+fn tilted([first, second, third]: &Heights, u: Complex, [a, b, c]: [Fixed; 3]) -> Heights {
+    [*first - u * a, *second + u * (a - b), *third + u * (a - c)]
+}
+
 /// The coefficients over a quarter.
 fn quarter(rows: &[Vec<(i64, usize)>], net: &Quartic) -> Quartic {
     let row = |i: usize| rows[i].iter().map(|(c, at)| (*c, net[*at]));
     std::array::from_fn(|i| Complex::mean(row(i), WHOLE))
 }
+
+#[cfg(test)]
+mod tests;

@@ -50,7 +50,7 @@ fn exceeded(valences: &[u32]) -> Vec<(u32, usize, u32)> {
 fn mode_name(n: u32, i: usize) -> String {
     match i {
         0 => "frequency 0".into(),
-        i if i as u32 <= (n / 2).max(1) - 1 => format!("frequency {}", i + 1),
+        i if (i as u32) < (n / 2).max(1) => format!("frequency {}", i + 1),
         _ => "a local mode".into(),
     }
 }

@@ -61,6 +61,11 @@ impl Facet {
         [0, 1, 2].map(|corner| self.area_at(corner, x) / self.area)
     }
 
+    /// Whether a point may lie in the facet: on none of the edges' outer sides for certain.
+    pub fn may_hold(&self, x: &Point) -> bool {
+        (0..3).all(|corner| self.area_at(corner, x).sup() >= 0.0)
+    }
+
     /// The areas with each point in place of each corner; `None` if the facet is off.
     fn areas(&self, points: &[Point]) -> Option<Vec<[Interval; 3]>> {
         let mut areas = vec![[Interval::from_integer(0); 3]; points.len()];
@@ -87,7 +92,7 @@ pub struct Covering {
 
 /// The facets that points may lie in, of the candidates named; `None` unless they cover the hull of
 /// the points as the head of this file wants it.
-pub fn cover(
+fn cover(
     candidates: &[Facet],
     named: impl Iterator<Item = usize>,
     points: &[Point],

@@ -2,7 +2,6 @@
 
 use super::SplinePoint;
 use super::complex::Complex;
-use super::facets::cover;
 use super::maximum::{Start, difference, magnitude};
 use crate::bernstein::Patch as _;
 use crate::scalar::{Interval, Rational};
@@ -92,11 +91,9 @@ pub fn lower_bound(start: &Start, at: [f64; 2]) -> Option<f64> {
     let [v, w] = at.map(Interval::point);
     let (chi, _) = start.patch.root.chi.evaluate([&v, &w]);
     let (e, _): (Complex<Interval>, _) = start.spline.evaluate([&v, &w]);
-    let candidates = &start.patch.candidates;
-    let near = cover(candidates, 0..candidates.len(), &[chi]).0;
-    let values = near.iter().map(|&i| {
-        let weights = candidates[i].weights(&chi);
-        magnitude(&difference(&e, &weights, &start.facets[i])).inf()
-    });
+    let candidates = start.patch.candidates.iter().zip(&start.facets);
+    let near = candidates.filter(|(facet, _)| facet.may_hold(&chi));
+    let values =
+        near.map(|(facet, values)| magnitude(&difference(&e, &facet.weights(&chi), values)).inf());
     values.reduce(f64::min)
 }
