@@ -16,7 +16,7 @@ use crate::predict::table;
 const LEVELS: u32 = 4;
 
 /// The level, valence, frequency and amplitude at which `tab-eigen` is tried on a nearly flat wave.
-const WAVE: (u32, u32, u32, f64) = (1, 4, 2, 1.0 / 64.0);
+const WAVE: (u32, u32, u32, f64) = (1, 8, 4, 1.0 / 64.0);
 
 fn weights_of(w: &ModeWeights) -> Vec<f64> {
     w.ring.iter().copied().chain([w.between, w.ray]).collect()
@@ -50,7 +50,7 @@ fn exceeded(valences: &[u32]) -> Vec<(u32, usize, u32)> {
 fn mode_name(n: u32, i: usize) -> String {
     match i {
         0 => "frequency 0".into(),
-        i if i as u32 <= (n / 2).max(1) - 1 => format!("frequency {}", i + 1),
+        i if (i as u32) < (n / 2).max(1) => format!("frequency {}", i + 1),
         _ => "a local mode".into(),
     }
 }
