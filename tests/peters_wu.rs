@@ -28,6 +28,54 @@ fn claim(id: &str) -> &'static Claim {
     REPORT.claim(id).unwrap_or_else(|| panic!("no claim {id}"))
 }
 
+#[test]
+fn every_verdict_is_one_that_was_expected() {
+    let expected = [
+        (Verdict::Sharp, "corollary-3 example-1-warren"),
+        (
+            Verdict::True,
+            "subsubdominant-large low-valences lambda-3-half lambda-3-regular steps-high-valence \
+             steps-first-order steps-half loose-and-sharp characteristic-map lemma-1 lemma-2 lemma-3 \
+             theorem-1 corollary-2 example-1-step example-1-others figure-5 figure-5-interior \
+             figure-5-steps tabulated table-1-decreasing table-1-starts cost-factor figure-7-venus \
+             sandwich safe-approx-printed safe-eigen-printed claim-iii-printed \
+             observation-1-loosest-printed observation-1-fluctuation-printed \
+             observation-4-variance-printed claim-ii-printed observation-3-smaller-printed \
+             safe-approx-redone safe-eigen-redone claim-iii-redone observation-3-smaller-redone",
+        ),
+        (Verdict::Loose, "corollary-1"),
+        (
+            Verdict::Undecided,
+            "cost-operations claim-iv-redone claim-ii-redone",
+        ),
+        (Verdict::Misprint, "table-1-eigen"),
+        (
+            Verdict::Refuted,
+            "subsubdominant-formula no-generalised-eigenvectors definition-2-1 example-1-original \
+             example-1-whole eigen-weaker eigen-safe interp-domain linear-offset table-1-eigen-quarter \
+             table-1-local claim-iv-printed observation-1-star-printed observation-2-half-printed \
+             observation-2-close-printed observation-3-constant-printed observation-3-slightly-printed \
+             observation-4-steps-printed observation-1-loosest-redone observation-1-fluctuation-redone \
+             observation-1-star-redone observation-4-variance-redone observation-2-half-redone \
+             observation-2-close-redone observation-3-constant-redone observation-3-slightly-redone \
+             observation-4-steps-redone",
+        ),
+    ];
+    verdicts::are(&REPORT, &expected);
+}
+
+/// Certificates that claims name are handed out with the report.
+#[test]
+fn named_certificates_are_there() {
+    let names: Vec<&String> = REPORT.certificates.iter().map(|(name, _)| name).collect();
+    assert_eq!(names.len(), 2);
+    for claim in &REPORT.claims {
+        for file in &claim.certificates {
+            assert!(names.contains(&file), "{}: {file}", claim.id);
+        }
+    }
+}
+
 /// From the print alone, counted by hand: 17 of the 30 heuristics are below `measured`.
 #[test]
 fn the_printed_heuristic_is_below_in_seventeen_of_thirty() {
