@@ -111,7 +111,7 @@ impl Kernel {
                 if mode.family == Family::Ring && part == 1 {
                     // The odd net is Im v / sin: the coefficient of Im v itself is divided by the sine.
                     let sine = spectrum.sine_squared(mode.frequency).sqrt()?;
-                    row.iter_mut().for_each(|x| *x = *x / sine);
+                    row.iter_mut().for_each(|x| *x /= sine);
                 }
                 kernel.push(&row);
             }

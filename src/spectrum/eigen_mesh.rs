@@ -64,7 +64,7 @@ pub fn eigen_mesh(rules: Rules, n: u32, frequency: u32, amplitude: &Rational) ->
     };
     let mut points: Vec<Point<Rational>> = Vec::new();
     for ((x, y), z) in x.iter().zip(&y).zip(&z) {
-        points.push(Point([*x, *y * &sine, *z * &t].map(&mut rounded)));
+        points.push(Point([*x, *y * sine, *z * t].map(&mut rounded)));
     }
     let (points, faces) = match rules {
         Rules::Loop(_) => triangles(n as usize, &points),

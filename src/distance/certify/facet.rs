@@ -67,7 +67,7 @@ pub(super) fn foot_point(p: &P, [a, b, c]: &[P; 3]) -> P {
         (s * (1.0 - 1e-15), t * (1.0 - 1e-15))
     };
     let [s, t] = [s, t].map(Interval::point);
-    *a + &((*b - a) * &s) + &((*c - a) * &t)
+    *a + (*b - a) * &s + (*c - a) * &t
 }
 
 /// The squared distance; its upper end bounds the squared distance of P to anything that contains Q.
@@ -153,7 +153,7 @@ pub(super) fn estimate(p: &P, corners: &[P]) -> f64 {
 /// The point of a bilinear facet.
 pub(super) fn bilinear(corners: &[P], [v, w]: [f64; 2]) -> P {
     let [v, w] = [v, w].map(Interval::point);
-    let mix = |a: &P, b: &P, t: &Interval| *a * &(Interval::point(1.0) - t) + &(*b * t);
+    let mix = |a: &P, b: &P, t: &Interval| *a * &(Interval::point(1.0) - t) + *b * t;
     mix(
         &mix(&corners[0], &corners[1], &v),
         &mix(&corners[3], &corners[2], &v),

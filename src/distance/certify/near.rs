@@ -39,6 +39,7 @@ pub(super) struct Cover {
 /// Splits the worst part until the bounds are close; `split` yields parts with bounds, `probe` a lower
 /// bound found at a part that is better than the one given.
 fn cover(
+    setting: &Setting,
     gap: f64,
     first: Vec<(f64, Cell)>,
     mut split: impl FnMut(Cell) -> Vec<(f64, Cell)>,
@@ -54,12 +55,14 @@ fn cover(
     for part in first {
         push(&mut queue, &mut cells, part);
     }
+    // A distance at the level of rounding errors is as good as 0.
+    let tiny = 1e-12 * setting.size();
     let (mut lo, mut far) = (0.0, None);
     let hi = loop {
         let Some((Length(bound), age)) = queue.pop() else {
             break 0.0;
         };
-        if bound <= lo * (1.0 + gap) {
+        if bound <= tiny.max(lo * (1.0 + gap)) {
             break bound;
         }
         if queue.len() > CELLS {
@@ -142,7 +145,7 @@ pub(super) fn surface_to_mesh(setting: &Setting, gap: f64) -> Result<Cover, Cert
             .filter_map(at)
             .max_by(|x, y| x.0.total_cmp(&y.0))
     };
-    cover(gap, first.collect(), split, probe)
+    cover(setting, gap, first.collect(), split, probe)
 }
 
 /// The best way to show that a part is near to the mesh, and how near.
@@ -284,7 +287,7 @@ pub(super) fn mesh_to_surface(setting: &Setting, gap: f64) -> Result<Cover, Cert
         }
         best
     };
-    cover(gap, first, split, probe)
+    cover(setting, gap, first, split, probe)
 }
 
 /// The parameters, in the facet, of a corner of its part: numerators and a common denominator.

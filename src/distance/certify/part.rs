@@ -10,6 +10,7 @@
 //! inner child (`proofs/FORMAT.md`, section 10).
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use crate::bernstein::from_net;
 use crate::mesh::{Mesh, Point};
@@ -58,8 +59,8 @@ impl Rules {
                         loop_scheme::limit_mask(weights, n)?,
                     ))
                 };
-                if !masks.contains_key(&(n as usize)) {
-                    masks.insert(n as usize, mask()?);
+                if let Entry::Vacant(place) = masks.entry(n as usize) {
+                    place.insert(mask()?);
                 }
             }
         }

@@ -129,6 +129,13 @@ impl Setting {
         )
     }
 
+    /// The largest coordinate of a facet.
+    pub(super) fn size(&self) -> f64 {
+        let corners = self.facets.iter().flat_map(|facet| &facet.corners);
+        let coordinates = corners.flat_map(|p| p.0.map(Interval::mag));
+        coordinates.fold(0.0, f64::max)
+    }
+
     pub(super) fn is_loop(&self) -> bool {
         matches!(self.rules.scheme, Scheme::Loop(_))
     }

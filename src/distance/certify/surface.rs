@@ -42,10 +42,15 @@ pub(super) struct Surface<'a> {
 }
 
 /// A nonnegative length that orders a queue.
-#[derive(PartialEq, PartialOrd)]
+#[derive(PartialEq)]
 pub(super) struct Length(pub(super) f64);
 
 impl Eq for Length {}
+impl PartialOrd for Length {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
 impl Ord for Length {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.0.total_cmp(&other.0)

@@ -162,7 +162,7 @@ impl Shape for FacetSet {
             return;
         }
         let c = &piece.outline.corners;
-        let middle = |i: usize, j: usize| (c[i] + &c[j]) * &0.5;
+        let middle = |i: usize, j: usize| (c[i] + c[j]) * &0.5;
         let corner = |i: usize| c[i];
         let side = |i: usize, j: usize| (c[i] - &c[j]).norm_squared();
         let halves = if piece.outline.count == 3 {

@@ -305,7 +305,7 @@ impl Unit<'_> {
                 .fold(0.0, f64::max)
         };
         let [lo, hi] = [largest(|e| e.lo), largest(|e| e.hi.max(e.lo))];
-        let witness = sides.iter().filter_map(|(side, found)| {
+        let mut witness = sides.iter().filter_map(|(side, found)| {
             let sample = found.sample.filter(|s| s.lower >= lo)?;
             Some(Witness {
                 side: *side,
@@ -315,7 +315,7 @@ impl Unit<'_> {
                 foot_face: sample.foot_face,
             })
         });
-        let witness = witness.last();
+        let witness = witness.next_back();
         let met = hi - lo <= scene.closeness.absolute + scene.closeness.relative * hi;
         let [out_lo, out_hi] = self.frame.lengths([lo, hi]);
         let [lo_out, hi_out] = [printed_below(out_lo), printed_above(out_hi)];

@@ -39,6 +39,7 @@ pub fn length(a: &Lane, b: &Lane) -> f64 {
 
 /// A number in [0, 1]; 0 in place of what a degenerate triangle yields (0 / 0).
 #[inline(always)]
+#[allow(clippy::manual_clamp)] // NaN becomes 0
 fn fraction(x: f64) -> f64 {
     x.max(0.0).min(1.0)
 }

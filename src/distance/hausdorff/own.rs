@@ -179,7 +179,7 @@ impl<M: Model<Float>> OwnMesh<'_, M> {
     fn at(&self, item: u32, face: &Face, [u, v]: [f64; 2]) -> Lane {
         if self.surface.is_triangular() {
             let c = &face.corners;
-            return c[0] * &(1.0 - u - v) + &(c[1] * &u) + &(c[2] * &v);
+            return c[0] * &(1.0 - u - v) + (c[1] * &u) + (c[2] * &v);
         }
         let (quarter, [u, v]) = self.model.locate(item, [u, v]);
         let quad = &face.quads[quarter.unwrap_or(0) as usize];

@@ -37,7 +37,7 @@ impl Outline {
         if self.count == 3 {
             (1, [[a, b, c]; 2], 0.0)
         } else {
-            let twist = (a - &b + &(c - &d)).norm_squared().sqrt();
+            let twist = (a - &b + (c - &d)).norm_squared().sqrt();
             (2, [[a, b, c], [a, c, d]], 0.25 * twist)
         }
     }

@@ -139,7 +139,7 @@ impl<'a, M: Model<Float>> SurfaceSet<'a, M> {
             square = square.max((*b - f).norm_squared());
         }
         let outline = Outline {
-            corners: ends.map(|c| c + &base),
+            corners: ends.map(|c| c + base),
             count: count::<M>(),
             thickness: square.sqrt() + self.error + slack,
             slack,
@@ -168,7 +168,7 @@ impl<'a, M: Model<Float>> SurfaceSet<'a, M> {
             }
         }
         let outline = Outline {
-            corners: ends.map(|c| c + &base),
+            corners: ends.map(|c| c + base),
             count: count::<M>(),
             thickness: thickness.sqrt() + self.error + slack,
             slack,
@@ -275,12 +275,12 @@ impl<M: Model<Float>> Shape for SurfaceSet<'_, M> {
         match &piece.cell {
             Cell::Patch(patch) => {
                 for p in patch.coefficients() {
-                    visit(&(*p + &piece.base));
+                    visit(&(*p + piece.base));
                 }
             }
             Cell::Net(net) => {
                 for p in self.model.net_points(net) {
-                    visit(&(*p + &piece.base));
+                    visit(&(*p + piece.base));
                 }
             }
         }

@@ -105,7 +105,7 @@ pub fn overhang(n: u32) -> Option<Vec<f64>> {
     let (mode, members) = modes.iter().find(|(m, _)| is_chi(m.family, m.frequency))?;
     let sine = spectrum.sine_squared(mode.frequency).sqrt()?;
     let mut nets: Vec<Vec<Interval>> = members.iter().map(|&m| spectrum.net(m)).collect();
-    nets[1].iter_mut().for_each(|y| *y = *y * sine);
+    nets[1].iter_mut().for_each(|y| *y *= sine);
     let mut reach = 0.0_f64;
     let patches: Option<Vec<_>> = (nets.iter())
         .map(|net| {

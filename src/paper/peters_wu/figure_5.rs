@@ -78,7 +78,7 @@ impl Saddle {
         let (fine, points) = refined(sampling + level)?;
         let limits = enclose_limits(scheme, CornerRule::Smooth, &fine, &points).ok()?;
         // Faces of S_n: the first of the four of a sector, and its descendants.
-        let of_sector = |face: u32, m: u32| (face >> (2 * m)) % 4 == 0;
+        let of_sector = |face: u32, m: u32| (face >> (2 * m)).is_multiple_of(4);
         let vertices = |topology: &crate::mesh::Topology, m: u32| {
             let faces = (0..topology.face_count()).filter(|&f| of_sector(f, m));
             let mut found: Vec<u32> = faces.flat_map(|f| topology.corners(f).to_vec()).collect();

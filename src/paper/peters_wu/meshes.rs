@@ -304,7 +304,11 @@ pub fn closed(n: u32, net: &[Point<f64>], outer: &[Point<f64>]) -> Mesh {
     // The second ring in order: b_0, d_0, b_1, d_1, ..; b on a ray has three neighbours beyond, d two.
     let second = |i: u32| {
         let j = (i / 2) % n;
-        if i % 2 == 0 { 1 + 2 * n + j } else { 1 + n + j }
+        if i.is_multiple_of(2) {
+            1 + 2 * n + j
+        } else {
+            1 + n + j
+        }
     };
     let third = |i: u32| size + i % (3 * n);
     for j in 0..n {
@@ -337,7 +341,8 @@ mod tests {
 
     #[test]
     fn the_stand_ins_have_the_valences_of_the_table() {
-        let expected: [(&str, u32, &[(u32, u32)]); 5] = [
+        type Row<'a> = (&'a str, u32, &'a [(u32, u32)]);
+        let expected: [Row<'_>; 5] = [
             ("star", 96, &[(3, 32), (8, 6), (12, 12)]),
             ("knob", 512, &[(4, 6), (6, 252)]),
             ("blob", 320, &[(5, 12), (6, 150)]),

@@ -157,7 +157,7 @@ fn convex(n: u32, chi: &[Member]) -> Option<bool> {
     let size = n as usize;
     let outer = |i: usize| {
         let j = (i / 2) % size;
-        if i % 2 == 0 {
+        if i.is_multiple_of(2) {
             1 + 2 * size + j
         } else {
             1 + size + j
