@@ -281,3 +281,66 @@ pub fn split<A, V>(
         sink.net(child);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::patch::Exact;
+    use crate::scalar::{Rational, Ring};
+
+    struct Nets(Vec<QuarterNet<Point<Rational>>>);
+
+    impl Sink<Biquadratic<Point<Rational>>, QuarterNet<Point<Rational>>> for Nets {
+        fn patch(&mut self, _: &Biquadratic<Point<Rational>>, _: Corners, _: u32) {
+            unreachable!("an irregular quarter yields nets");
+        }
+        fn spare(&mut self) -> QuarterNet<Point<Rational>> {
+            QuarterNet::default()
+        }
+        fn net(&mut self, net: QuarterNet<Point<Rational>>) {
+            self.0.push(net);
+        }
+        fn discard(&mut self, _: QuarterNet<Point<Rational>>) {}
+    }
+
+    /// A corner of a quarter is the centroid corner of one of the four quarters nested in it, where S
+    /// is the centroid of that quarter's face: the definition, and another way.
+    #[test]
+    fn corners_are_the_centroids_of_the_next_step() {
+        for (valence, sides) in [(3, 4), (3, 6), (4, 3), (6, 4), (6, 3)] {
+            let mut state = 7 * valence as i64 + sides as i64;
+            let mut point = || {
+                Point([(); 3].map(|()| {
+                    state = (state * 1_103_515_245 + 12_345) % 2_147_483_648;
+                    <Rational as Ring>::from_integer(state % 100)
+                }))
+            };
+            let center = point();
+            let edges: Vec<_> = (0..valence).map(|_| point()).collect();
+            let mut net = QuarterNet::default();
+            for k in 0..valence {
+                let mut face = vec![center.clone(), edges[k].clone()];
+                let inner = if k == 0 { sides - 3 } else { 1 };
+                face.extend((0..inner).map(|_| point()));
+                face.push(edges[(k + 1) % valence].clone());
+                net.faces.push(face);
+            }
+            net.corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+            let mask = |n: usize| doo_sabin::corner_mask::<Rational>(n as u32);
+            let rules = DooSabinRules {
+                masks: (0..7)
+                    .map(|n| (n >= 3).then(|| mask(n)).flatten())
+                    .collect(),
+            };
+            let mut children = Nets(Vec::new());
+            split::<Exact, _>(&rules, &net, &mut children);
+            let corners = net.corner_differences::<Rational>(&rules);
+            assert_eq!(children.0.len(), 4);
+            for child in &children.0 {
+                let at = net.corners.iter().position(|p| *p == child.corners[2]);
+                let corner = at.expect("a corner of the quarter");
+                assert_eq!(child.corner_difference::<Rational>(), corners[corner]);
+            }
+        }
+    }
+}

@@ -206,6 +206,45 @@ fn a_bent_quad_and_its_fan() {
     assert!(same.lo == 0.0 && same.hi <= 2e-9, "{same:?}");
 }
 
+/// A flat pentagon by its five bilinear quarters, and by a fan, is the same set; a hexagon bent up and
+/// down by 1 has its centroid at height 0, in the plane of a small triangle there. The triangle's
+/// corners are within 0.01 of the centroid, and the quarters are graphs of slope below 2 near it.
+#[test]
+fn polygons_are_their_quarters() {
+    let ring = |n: usize, height: fn(usize) -> f64| -> Vec<[f64; 3]> {
+        let angle = |k: usize| k as f64 * std::f64::consts::TAU / n as f64;
+        (0..n)
+            .map(|k| [angle(k).cos(), angle(k).sin(), height(k)])
+            .collect()
+    };
+    let pentagon = ring(5, |_| 1.0);
+    let whole = mesh(&pentagon, &[&[0, 1, 2, 3, 4]]);
+    let fan = mesh(&pentagon, &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 4]]);
+    for side in SIDES {
+        let found = mesh_to_mesh(&whole, &fan, side, Facets::Bilinear, goal(1e-3), &quiet);
+        let found = found.expect("measured");
+        assert!(
+            found.met && found.lo <= 1e-12 && found.hi <= 3e-3,
+            "{found:?}"
+        );
+    }
+    let bent = ring(6, |k| 5.0 + if k % 2 == 0 { 1.0 } else { -1.0 });
+    let bent = mesh(&bent, &[&[0, 1, 2, 3, 4, 5]]);
+    let small = ring(3, |_| 5.0)
+        .into_iter()
+        .map(|[x, y, z]| [0.01 * x, 0.01 * y, z]);
+    let small = mesh(&small.collect::<Vec<_>>(), &[&[0, 1, 2]]);
+    let found = mesh_to_mesh(
+        &small,
+        &bent,
+        Side::SurfaceToMesh,
+        Facets::Bilinear,
+        goal(1e-2),
+        &quiet,
+    );
+    assert!(found.expect("measured").hi <= 0.02);
+}
+
 /// A planar regular grid is its own surface away from the boundary, and with pinned corners
 /// everywhere: distance 0 is found and ends at the level of rounding errors.
 #[test]
