@@ -243,3 +243,6 @@ fn of_catmull_clark(angles: &Angles) -> Map {
     ];
     Map { kind, ray: edge(kind, &low, 0), arcs, patches: vec![low, corner, high] }
 }
+
+#[cfg(test)]
+mod tests;

@@ -153,6 +153,8 @@ fn what_is_changed_is_rejected() {
         ("/steps/2/near/depth", json!(61), "format", None),
         ("/steps/2/near/lo", json!("-1"), "rings", Some(2)),
         ("/steps/2/near/hi", json!("0"), "rings", Some(2)),
+        // Its square is large enough.
+        ("/steps/2/rings/2/hi", json!("-1"), "rings", Some(2)),
         ("/steps/2/rings", json!([]), "rings", Some(2)),
         ("/claim/modes/2/frequency", json!(0), "rings", Some(2)),
         ("/claim/modes/2/frequency", json!(1), "rings", Some(2)),
@@ -205,10 +207,32 @@ fn a_generalised_mode_needs_the_other() {
     short["claim"]["modes"][0]["distances"].as_array_mut().unwrap().pop();
     short["steps"][0]["rings"].as_array_mut().unwrap().pop();
     assert_eq!(verdict(&short), ("rings", Some(1)));
-    // Without what the other adds, the claim does not follow: mu_1 is (D_0 of the mode)/16 + |kappa| (D_0 of the other).
+    // |kappa| times the hi of the other is part of the bound of mu_1: 100 is shown, but is too much.
+    let mut large = good.clone();
+    large["steps"][0]["rings"][0]["hi"] = json!("100");
+    for m in 0..3 {
+        large["claim"]["modes"][0]["distances"][m][1] = json!("100");
+    }
+    assert_eq!(verdict(&large), ("rings", Some(1)));
+    large["claim"]["modes"][1]["distances"][1][1] = json!("50");
+    large["claim"]["modes"][1]["distances"][2][1] = json!("50");
+    assert_eq!(verdict(&large).0, "verified");
     for (m, i) in [(1, 0), (1, 1), (2, 0), (2, 1)] {
         let (p, q) = if i == 0 { (1_000_003, 1_000_000) } else { (999_995, 1_000_000) };
         let changed = scaled(&good, &format!("/claim/modes/1/distances/{m}/{i}"), p, q);
         assert_eq!(verdict(&changed), ("rings", Some(1)), "{m} {i}");
     }
+}
+
+/// Against limit meshes the largest distance of `between` is in the second sector, or its mirror image.
+#[test]
+fn both_sectors_of_a_mode_are_looked_at() {
+    let case = Case { n: 5, weights: "original", against: "limit", levels: 1 };
+    let (good, _) = propose(&case, &[Name("between", None)], SLACK, DEPTH);
+    assert_eq!(verdict(&good).0, "verified");
+    assert_eq!(good["steps"][0]["rings"][0]["at"]["sector"], json!(1));
+    let less = scaled(&good, "/steps/0/rings/0/hi", 9999, 10000);
+    let less = with(&less, "/steps/0/rings/0/lo", json!("0"));
+    let less = with(&less, "/claim/modes/0/distances/0/0", json!("0"));
+    assert_eq!(verdict(&less), ("rings", Some(0)));
 }
