@@ -95,3 +95,95 @@ fn lowest(a: &[f64], b: &[f64]) -> (f64, f64) {
     }
     (nu, highest(nu).map_or(0.0, |((value, _), _)| value))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::complex::Complex;
+    use super::super::facets::{Facet, Patch};
+    use super::super::plane::CENTRE;
+    use super::*;
+    use crate::bernstein::Patch as _;
+
+    fn number(x: f64) -> Complex<Interval> {
+        Complex::real(Interval::point(x))
+    }
+
+    /// Whatever e is, the bound holds at the points of the part that lie in the facet, here about a half
+    /// of it; and it makes use of their being no more: for some e it is below the value elsewhere.
+    #[test]
+    fn the_bound_holds_where_the_part_is_in_the_facet() {
+        let corner = |re: f64, im: f64| Complex {
+            re: Interval::point(re),
+            im: Interval::point(im),
+        };
+        let facet = Facet::new(CENTRE, [corner(0., 0.), corner(1., 0.), corner(0., 1.)]);
+        // The triangle moved along, beyond the edge from corner 1 to corner 2.
+        let moved = [corner(0.25, 0.25), corner(1.25, 0.25), corner(0.25, 1.25)];
+        let chi = QuarticTriangle::from_linear::<Interval>(&moved);
+        let values = [number(0.5), number(-1.0), number(2.0)];
+        let weights = chi.0.iter().map(|x| facet.weights(x)).collect();
+        let covering = Covering {
+            candidate: 0,
+            weights,
+        };
+        let mut tight = 0;
+        for seed in 0..200u64 {
+            let value = |i: usize| {
+                let mixed = (seed * 15 + i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                number((mixed >> 40) as f64 / (1u64 << 23) as f64 - 1.0)
+            };
+            let spline = QuarticTriangle(from_fn(value));
+            let bound = bound_over(&covering, &spline, &values, 0.0);
+            let (mut inside, mut outside) = (0.0f64, 0.0f64);
+            for (v, w) in (0..=16).flat_map(|v| (0..=16 - v).map(move |w| (v, w))) {
+                let at = [v, w].map(|x| Interval::point(f64::from(x) / 16.0));
+                let (x, _) = chi.evaluate([&at[0], &at[1]]);
+                let (e, _) = spline.evaluate([&at[0], &at[1]]);
+                let weights = facet.weights(&x);
+                let size = magnitude(&difference(&e, &weights, &values)).inf();
+                if weights.iter().all(|b| b.inf() >= 0.0) {
+                    inside = inside.max(size);
+                } else {
+                    outside = outside.max(size);
+                }
+            }
+            assert!(inside <= bound, "{seed}: {inside} > {bound}");
+            tight += usize::from(bound < outside);
+        }
+        assert!(tight > 20, "{tight} of 200");
+    }
+
+    #[test]
+    fn a_part_is_covered_only_by_facets_that_hold_it() {
+        let corner = |re: f64, im: f64| Complex {
+            re: Interval::point(re),
+            im: Interval::point(im),
+        };
+        let lattice = |[p, q]: [i32; 2]| corner(p.into(), q.into());
+        let facet = |triangle: super::super::lattice::Triangle| {
+            Facet::new(triangle, triangle.corners().map(lattice))
+        };
+        let across = CENTRE.across(0);
+        let covered = |shift: f64, facets: Vec<Facet>| {
+            let part = [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)];
+            let corners = part.map(|(x, y)| corner(x + shift, y + shift));
+            let chi = QuarticTriangle::from_linear::<Interval>(&corners);
+            let patch = Patch::new(CENTRE, chi, facets);
+            patch.root.covering.map(|list| list.len())
+        };
+        let both = || vec![facet(CENTRE), facet(across)];
+        assert_eq!(covered(0.125, vec![facet(CENTRE)]), Some(1));
+        // The edges on the rays need nothing across.
+        assert_eq!(covered(0.0, vec![facet(CENTRE)]), Some(1));
+        // Beyond the edge between them: both, or not at all.
+        assert_eq!(covered(0.375, vec![facet(CENTRE)]), None);
+        assert_eq!(covered(0.375, both()), Some(2));
+        assert_eq!(covered(0.5, both()), Some(1));
+        // Beyond both.
+        assert_eq!(covered(0.625, both()), None);
+        assert_eq!(covered(3.0, both()), None);
+        // A triangle that is folded over does not continue another.
+        let folded = Facet::new(across, [[0, 0], [0, 1], [1, 0]].map(lattice));
+        assert_eq!(covered(0.375, vec![facet(CENTRE), folded]), None);
+    }
+}

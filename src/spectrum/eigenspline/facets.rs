@@ -5,13 +5,14 @@
 //! *covered* by the others if
 //! * there are some, each of certainly positive area;
 //! * for each of their edges that is not on a ray, all χ_i are certainly on the inner side, or the
-//!   triangle across is a candidate too;
-//! * one of the χ_i certainly lies in one of them.
+//!   triangle across is a candidate too, and of certainly positive area;
+//! * one of the χ_i certainly lies inside one of them.
 //!
 //! Then E at χ(σ) is one of the affine functions of these facets, for every σ of the part: χ(part) lies
-//! in the hull of the χ_i and in the sector's wedge. From a point in one of them walk inside that convex
-//! set to any other: no triangle that is off is met, and a triangle is left through an edge with a
-//! candidate across.
+//! in the hull of the χ_i and in the sector's wedge. From a point near that χ_i walk on a segment inside
+//! this convex set, past all vertices, to almost any other point: a triangle whose interior is met is not
+//! off; it is left through an edge with a candidate across, which lies on the other side, having positive
+//! area, so that its interior is met; and none is met twice. So the walk ends in a facet that is not off.
 
 use std::sync::OnceLock;
 
@@ -104,14 +105,17 @@ fn cover(
             continue;
         };
         near.push(candidate);
-        let is_candidate = |t: Triangle| candidates.iter().any(|other| other.triangle == t);
+        let continues = |t: Triangle| {
+            let across = candidates.iter().find(|other| other.triangle == t);
+            across.is_some_and(|other| other.area.inf() > 0.0)
+        };
         for corner in 0..3 {
             sound &= facet.triangle.edge_on_ray(corner)
                 || areas.iter().all(|row| row[corner].inf() >= 0.0)
-                || is_candidate(facet.triangle.across(corner));
+                || continues(facet.triangle.across(corner));
         }
         sound &= facet.area.inf() > 0.0;
-        inside |= areas.iter().any(|row| row.iter().all(|a| a.inf() >= 0.0));
+        inside |= areas.iter().any(|row| row.iter().all(|a| a.inf() > 0.0));
         let over = |row: &[Interval; 3]| row.map(|a| a / facet.area);
         list.push(Covering {
             candidate,

@@ -1,8 +1,8 @@
 //! The largest magnitude of e - E over patches: an upper bound by best-first quartering.
 //!
 //! With barycentric coordinates b_v of χ_i in a facet that may lie under a part, the Bernstein
-//! coefficients of e - E there are `e_i - Σ b_v(i) E_v`, and |e - E| is at most the largest of their
-//! magnitudes. The part with the largest bound is quartered, until that bound is near enough to a value
+//! coefficients of e - E there are `e_i - Σ b_v(i) E_v`; [`super::facet_bound`] bounds |e - E| by them. The
+//! part with the largest bound is quartered, until that bound is near enough to a value
 //! that was met, or the part is as small as certificates allow.
 
 use std::cmp::Ordering;

@@ -133,7 +133,7 @@ pub struct SplinePoint {
 ///
 /// Guarantee: the enclosures hold; every number was enclosed by intervals and rounded outward. They are
 /// the same for any number of threads. `None` if a part of the surface could not be brought over certain
-/// facets, which does not happen for n = 3..50.
+/// facets, which did not happen for n = 3..30.
 ///
 /// # Panics
 /// If n < 3.
@@ -202,7 +202,7 @@ fn chained(modes: &[Net<Interval>]) -> Option<&Net<Interval>> {
 const GAPS: [f64; 6] = [1e-4, 1e-4, 2e-4, 3e-4, 5e-4, 7e-4];
 
 /// D_s.
-pub fn ring_bound(
+fn ring_bound(
     plane: &Plane,
     label: Label,
     nets: &Levels<Interval>,

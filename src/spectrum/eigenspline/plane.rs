@@ -20,8 +20,6 @@ pub struct Plane {
     pub rings: Vec<Vec<Patch>>,
     /// The patches of ring r = 1, 2, .. over the facet [0, 0, 0], for r up to [`MOST_RINGS`].
     pub near: Vec<Vec<Patch>>,
-    /// λ_1.
-    pub eigenvalue: Interval,
 }
 
 /// The level of the patches that are held against the facets of level s.
@@ -60,7 +58,7 @@ pub fn vertices(
 }
 
 impl Plane {
-    /// The plane of a characteristic map, up to a level.
+    /// The plane of the characteristic map of valence n with eigenvalue λ_1, up to a level.
     pub fn new(
         n: u32,
         chi: &Levels<Interval>,
@@ -102,7 +100,6 @@ impl Plane {
         Plane {
             near: near.collect(),
             rings,
-            eigenvalue,
         }
     }
 }
