@@ -325,6 +325,40 @@ fn coefficients_against_exact_ones() {
     }
 }
 
+/// A local mode counts in the sectors whose local net (Stam's) it has a value in, and in no other.
+#[test]
+fn local_modes_count_where_they_have_values() {
+    for n in [3, 4, 7, 12] {
+        let (spectrum, modes) = loop_modes::<f64>(WEIGHTS, n).expect("floats");
+        let kernel = Kernel::new(WEIGHTS, n).expect("a kernel");
+        let mut weights = kernel.eigenvalues().clone();
+        weights.ring.iter_mut().for_each(|w| *w = 0.0);
+        (weights.between, weights.ray) = (1.0, 1.0);
+        let local = |family| family == Family::Between || family == Family::Ray;
+        for (_, members) in modes.iter().filter(|(m, _)| local(m.family)) {
+            for &member in members {
+                let values = spectrum.net(member);
+                let mut net: Vec<[f64; 3]> = values.iter().map(|z| [0.0, 0.0, *z]).collect();
+                let (mut norms, mut sums) = (Norms::default(), Vec::new());
+                kernel.norms(&mut net, 0.0, &mut norms);
+                kernel.sums(&norms, &weights, Sum::BySector, &mut sums);
+                for (sector, sum) in (0..).zip(sums) {
+                    let reached = spectrum
+                        .ring()
+                        .local_net(sector, &values)
+                        .iter()
+                        .any(|z| *z != 0.0);
+                    let expected = f64::from(u8::from(reached));
+                    assert!(
+                        (sum - expected).abs() < 1e-12,
+                        "n = {n}, {member:?}, sector {sector}: {sum}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn what_does_not_apply_is_said() {
     let star = meshes::star().mesh;

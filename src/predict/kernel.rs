@@ -219,8 +219,12 @@ impl Kernel {
     ///
     /// Between of sector j reaches the sectors j - 1, j, j + 1 and Ray of j the sectors j - 1, j: the local net of
     /// a sector j holds d_(j-1), d_j, d_(j+1), b_j and b_(j+1).
+    ///
+    /// # Panics
+    /// If there is not a weight for each ring mode.
     pub fn sums(&self, norms: &Norms, weights: &ModeWeights, sum: Sum, out: &mut Vec<f64>) {
         let (modes, n) = (self.parts.len(), self.n);
+        assert_eq!(weights.ring.len(), modes, "a weight for each ring mode");
         let rings = match sum {
             Sum::BySector => &norms.lengths[..modes],
             Sum::Plain => &norms.plain[..],

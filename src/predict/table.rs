@@ -34,7 +34,7 @@ pub fn distances(weights: LoopWeights, n: u32, against: Against, m: u32) -> Opti
         Against::Limit => eigenspline::Against::Limit,
     };
     if let Some(bounds) = table::upper(weights, n, polyhedron, m as usize) {
-        return Some(collect(bounds.iter().map(|b| (b.label, b.bound))));
+        return complete(n, bounds.iter().map(|b| (b.label, b.bound)));
     }
     static FOUND: OnceLock<Mutex<BTreeMap<Key, Levels>>> = OnceLock::new();
     if !(3..=LARGEST).contains(&n) || m > DEEPEST {
@@ -62,13 +62,14 @@ fn enclose(
     let modes = eigenspline::distances(weights, n, polyhedron, DEEPEST as usize)?;
     let at = |m: usize| {
         let upper = |mode: &eigenspline::ModeDistances| round_up(&mode.distances[m][1]);
-        collect(modes.iter().map(|mode| (mode.label, upper(mode))))
+        complete(n, modes.iter().map(|mode| (mode.label, upper(mode))))
     };
-    Some((0..=DEEPEST as usize).map(at).collect())
+    (0..=DEEPEST as usize).map(at).collect()
 }
 
-/// Bounds by mode as weights; ring modes come in the order of their frequencies.
-fn collect(bounds: impl Iterator<Item = (Label, f64)>) -> ModeWeights {
+/// Bounds by mode as weights, in the order of the frequencies 0, 2, 3, .., n/2; `None` if one is missing.
+fn complete(n: u32, bounds: impl Iterator<Item = (Label, f64)>) -> Option<ModeWeights> {
+    let mut frequencies = Vec::new();
     let mut found = ModeWeights {
         ring: Vec::new(),
         between: f64::INFINITY,
@@ -76,12 +77,19 @@ fn collect(bounds: impl Iterator<Item = (Label, f64)>) -> ModeWeights {
     };
     for (label, bound) in bounds {
         match (label.family, label.frequency) {
-            (ModeFamily::Ring, _) => found.ring.push(bound),
+            (ModeFamily::Ring, frequency) => {
+                frequencies.extend(frequency);
+                found.ring.push(bound);
+            }
             (ModeFamily::Between, _) => found.between = bound,
             (ModeFamily::Ray, None) => found.ray = bound,
             // What the chain of a generalised mode leads to is no member of the basis.
             (ModeFamily::Ray, Some(_)) => (),
         }
     }
-    found
+    let all = frequencies
+        .iter()
+        .copied()
+        .eq((0..=n / 2).filter(|&k| k != 1));
+    (all && found.between.is_finite() && found.ray.is_finite()).then_some(found)
 }
