@@ -202,11 +202,7 @@ impl Patch {
         let facet = &self.candidates[0];
         let at = |x: &Point| {
             let terms = facet.weights(x).into_iter().zip(values);
-<<<<<<< HEAD
-            terms.fold(Point::zero(), |sum, (b, value)| sum + (*value * &b))
-=======
             terms.fold(Point::zero(), |sum, (b, value)| sum + *value * &b)
->>>>>>> mu
         };
         self.root.chi.0.iter().map(at).collect()
     }

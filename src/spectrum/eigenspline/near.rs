@@ -50,11 +50,7 @@ pub fn enclose_near(
                 let f = chain.map(|(f, _)| spline(f, 1, sector, patch.triangle));
                 let over_ring = |i: usize| -> Complex<Interval> {
                     let value = e.0[i] * &scale;
-<<<<<<< HEAD
-                    f.as_ref().map_or(value, |f| value + (f.0[i] * &slope))
-=======
                     f.as_ref().map_or(value, |f| value + f.0[i] * &slope)
->>>>>>> mu
                 };
                 let most = |e: &QuarticTriangle<Value>| {
                     let all = e.0.iter().map(|z| magnitude(z).sup());
