@@ -19,7 +19,7 @@
 //! `sqrt((a + c)/2 + sqrt(((a - c)/2)^2 + b^2))`, a = |p_c|^2, c = |p_s|^2, b = p_c · p_s, |b| <= (a + c)/2, and
 //! the sums of nonnegative terms have relative errors: no more than 64 roundings before, and one for
 //! each term of the sums. [`Kernel::outward`] is that factor. Underflow adds less than 2^-1000; the caller
-//! scales meshes to a size of about 1, and [`TINY`] is added.
+//! scales meshes to a size of about 1, and `TINY` is added.
 
 use crate::scalar::float::{UNIT_ROUNDOFF, gamma};
 use crate::scalar::{Interval, Ring};

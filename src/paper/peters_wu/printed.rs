@@ -185,7 +185,7 @@ pub const REGULAR_RATE: Fraction = (1, 4);
 /// Introduction: "four steps suffice for the regular polyhedron, close to twelve near high valences".
 pub const STEPS: (u32, u32) = (4, 12);
 
-/// Section 1.2, of [ZC06]: the valence, the decrease per step ("ca."), the steps to a tenth.
+/// Section 1.2, of Zeng & Chen 2006: the valence, the decrease per step ("ca."), the steps to a tenth.
 pub const ZENG_CHEN: (u32, Printed, u32) = (8, p("0.8125"), 12);
 /// Section 1.2: "the estimate based on n = 8 and hence λ_3 = .5 predicts only four steps".
 pub const FOUR_STEPS: (Printed, u32) = (p("0.5"), 4);
