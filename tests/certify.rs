@@ -172,17 +172,18 @@ fn what_has_no_certificate() {
         certify(&roof(), &none, None).unwrap_err(),
         CertifyError::NoSurface
     );
-    // A plane: the surface is in it, and there is nothing to be shown.
-    let flat: Vec<[i64; 3]> = (0..9).map(|k| [k % 3, k / 3, 0]).collect();
-    let square = |k: u32| {
-        let v = k % 2 + 3 * (k / 2);
-        [v, v + 1, v + 4, v + 3]
+    // A regular grid in a plane: over its inner faces the surface is the mesh.
+    let flat: Vec<[i64; 3]> = (0..25).map(|k| [k % 5, k / 5, 0]).collect();
+    let halves = |k: u32| {
+        let v = k % 4 + 5 * (k / 4);
+        [[v, v + 1, v + 5], [v + 1, v + 6, v + 5]]
     };
-    let faces: Vec<[u32; 4]> = (0..4).map(square).collect();
+    let faces: Vec<[u32; 3]> = (0..16).flat_map(halves).collect();
     let faces: Vec<&[u32]> = faces.iter().map(|f| &f[..]).collect();
     let plane = Request {
+        boundary: Boundary::None,
         side: Side::SurfaceToMesh,
-        ..smooth(Scheme::CatmullClark)
+        ..smooth(Scheme::Loop(LoopWeights::Original))
     };
     assert_eq!(
         certify(&mesh(&flat, &faces), &plane, None).unwrap_err(),

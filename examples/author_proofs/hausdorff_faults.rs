@@ -76,7 +76,7 @@ fn saddle(folder: &Path, certificate: &Value) -> Result<(), Box<dyn Error>> {
             ("cosine-of-a-mesh-missing", |c| {
                 c["cosine"].as_array_mut().expect("a list").remove(0);
             }),
-            ("claim-without-surface-step", |c| {
+            ("format-without-surface-step", |c| {
                 c["steps"].as_array_mut().expect("steps").remove(1);
             }),
         ],
