@@ -49,7 +49,7 @@ const CELLS_PER_FACE: u64 = 256;
 /// use subcert::scheme::{CornerRule, Scheme};
 ///
 /// // A cube under Catmull-Clark: the corner (1, 1, 1) is the furthest point of the cube, its nearest
-/// // point of the surface is its limit 5/9 (1, 1, 1) by symmetry: 4/9 sqrt 3 = 0.7698...
+/// // point of the surface is its limit (9 + 4 - 1)/24 (1, 1, 1): sqrt 3 / 2.
 /// let text = b"v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n\
 ///     f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 /// let mesh = parse(text, Format::Obj, "cube")?.mesh;
@@ -63,7 +63,8 @@ const CELLS_PER_FACE: u64 = 256;
 ///     goal: Goal::default(),
 /// };
 /// let found = measure(&mesh, None, &request, &|_, _| ())?;
-/// assert!(found.met && found.lo <= 4.0 / 3.0_f64.sqrt() / 3.0 && 4.0 / 3.0_f64.sqrt() / 3.0 <= found.hi);
+/// let exact = 3.0_f64.sqrt() / 2.0;
+/// assert!(found.met && found.lo <= exact && exact <= found.hi);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn measure(
