@@ -43,7 +43,7 @@ fn saddle(folder: &Path, certificate: &Value) -> Result<(), Box<dyn Error>> {
             }),
             ("near-mesh-hi-too-small", |c| {
                 c["claim"]["lo"] = json!("0");
-                c["claim"]["hi"] = json!("1168/10000");
+                c["claim"]["hi"] = json!("73/625");
             }),
             ("near-mesh-cell-missing", |c| {
                 cells(c, 1).pop();
