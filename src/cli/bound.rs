@@ -1,6 +1,5 @@
 //! `subcert bound`.
 
-use std::io::Write;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Instant;
@@ -238,16 +237,10 @@ impl Bound {
         };
         let constants = self.constants()?;
         let constant = curve_constant(degree, against).context("no closed form was found")?;
-        let mut out = std::io::stdout().lock();
-        if self.json {
-            let json = constants::curve_json(degree, &constants, &constant);
-            serde_json::to_writer_pretty(&mut out, &json)?;
-            writeln!(out)?;
-        } else {
-            let text = constants::curve_text(degree, &constants, &constant);
-            write!(out, "{text}")?;
-        }
-        out.flush()?;
+        let json = || constants::curve_json(degree, &constants, &constant);
+        super::print(self.json.then(json), || {
+            constants::curve_text(degree, &constants, &constant)
+        })?;
         Ok(Outcome::Done)
     }
 
@@ -312,14 +305,9 @@ impl Bound {
     }
 
     fn print(&self, family: Family, rows: &[Row], seconds: f64) -> anyhow::Result<()> {
-        let mut out = std::io::stdout().lock();
-        if self.json {
-            serde_json::to_writer_pretty(&mut out, &constants::json(family, rows, seconds))?;
-            writeln!(out)?;
-        } else {
-            write!(out, "{}", constants::text(family, rows, seconds))?;
-        }
-        out.flush()?;
-        Ok(())
+        let json = || constants::json(family, rows, seconds);
+        super::print(self.json.then(json), || {
+            constants::text(family, rows, seconds)
+        })
     }
 }

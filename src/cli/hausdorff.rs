@@ -1,6 +1,5 @@
 //! `subcert measure --distance surface-to-mesh | mesh-to-surface | hausdorff`.
 
-use std::io::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -223,14 +222,6 @@ impl Query<'_> {
             found,
             seconds,
         };
-        let mut out = std::io::stdout().lock();
-        if self.json {
-            serde_json::to_writer_pretty(&mut out, &json(&text))?;
-            writeln!(out)?;
-        } else {
-            write!(out, "{text}")?;
-        }
-        out.flush()?;
-        Ok(())
+        super::print(self.json.then(|| json(&text)), || text.to_string())
     }
 }

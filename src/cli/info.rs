@@ -1,6 +1,5 @@
 //! `subcert info`.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use subcert::mesh::summary::Summary;
@@ -22,14 +21,7 @@ impl Info {
     pub fn run(&self) -> anyhow::Result<Outcome> {
         let mesh = super::read(&self.mesh)?;
         let summary = Summary::of(&mesh);
-        let mut out = std::io::stdout().lock();
-        if self.json {
-            serde_json::to_writer_pretty(&mut out, &summary)?;
-            writeln!(out)?;
-        } else {
-            write!(out, "{summary}")?;
-        }
-        out.flush()?;
+        super::print(self.json.then_some(&summary), || summary.to_string())?;
         Ok(Outcome::Done)
     }
 }

@@ -1,6 +1,5 @@
 //! `subcert measure`.
 
-use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -224,14 +223,6 @@ impl Measure {
             found,
             seconds,
         };
-        let mut out = std::io::stdout().lock();
-        if self.json {
-            serde_json::to_writer_pretty(&mut out, &json(&text))?;
-            writeln!(out)?;
-        } else {
-            write!(out, "{text}")?;
-        }
-        out.flush()?;
-        Ok(())
+        super::print(self.json.then(|| json(&text)), || text.to_string())
     }
 }

@@ -1,5 +1,6 @@
 //! Arguments and exit codes; the work is in the library.
 
+use std::io::Write;
 use std::path::Path;
 
 use anyhow::{anyhow, bail};
@@ -51,6 +52,20 @@ enum Command {
     Spectrum(spectrum::Spectrum),
     /// Judge every claim of a paper: printed, redone, sharp, verdict, certificate
     Reproduce(reproduce::Reproduce),
+}
+
+/// Prints one JSON object, or the text.
+fn print(json: Option<impl serde::Serialize>, text: impl FnOnce() -> String) -> anyhow::Result<()> {
+    let mut out = std::io::stdout().lock();
+    match json {
+        Some(json) => {
+            serde_json::to_writer_pretty(&mut out, &json)?;
+            writeln!(out)?;
+        }
+        None => write!(out, "{}", text())?,
+    }
+    out.flush()?;
+    Ok(())
 }
 
 /// The scheme and its variants.

@@ -1,6 +1,5 @@
 //! `subcert reproduce`.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
@@ -170,21 +169,17 @@ impl Reproduce {
     }
 
     fn print(&self, reports: &[Report]) -> anyhow::Result<()> {
-        let mut out = std::io::stdout().lock();
         let one = match (self.paper, reports) {
             (PaperName::All, _) => None,
             (_, reports) => reports.first(),
         };
-        match (one, self.json) {
-            (Some(report), true) => serde_json::to_writer_pretty(&mut out, &paper::json(report))?,
-            (None, true) => serde_json::to_writer_pretty(&mut out, &papers::json(reports))?,
-            (Some(report), false) => write!(out, "{}", paper::text(report))?,
-            (None, false) => write!(out, "{}", papers::text(reports))?,
+        match one {
+            Some(report) => super::print(self.json.then(|| paper::json(report)), || {
+                paper::text(report)
+            }),
+            None => super::print(self.json.then(|| papers::json(reports)), || {
+                papers::text(reports)
+            }),
         }
-        if self.json {
-            writeln!(out)?;
-        }
-        out.flush()?;
-        Ok(())
     }
 }

@@ -1,6 +1,5 @@
 //! `subcert spectrum`.
 
-use std::io::Write;
 use std::time::Instant;
 
 use anyhow::bail;
@@ -56,14 +55,8 @@ impl Spectrum {
         let valences: Vec<u32> = (self.valence.first..=self.valence.last).collect();
         let rows = tabulate(rules, &valences);
         let seconds = start.elapsed().as_secs_f64();
-        let mut out = std::io::stdout().lock();
-        if self.json {
-            serde_json::to_writer_pretty(&mut out, &report::json(rules, &rows, seconds))?;
-            writeln!(out)?;
-        } else {
-            write!(out, "{}", report::text(rules, &rows, seconds))?;
-        }
-        out.flush()?;
+        let json = || report::json(rules, &rows, seconds);
+        super::print(self.json.then(json), || report::text(rules, &rows, seconds))?;
         if rows.iter().all(|row| row.map.injective == Sign::Positive) {
             return Ok(Outcome::Done);
         }

@@ -16,4 +16,6 @@ mod report;
 mod words;
 
 pub use enclosure::{Enclosure, Printed};
-pub use report::{Claim, Counterexample, Look, Plot, Report, Series, Table, Verdict};
+pub use report::{
+    Claim, Counterexample, Line, Look, Picture, Plot, Report, Series, Table, Verdict,
+};

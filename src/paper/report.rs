@@ -166,6 +166,26 @@ pub struct Plot {
     pub series: Vec<Series>,
 }
 
+/// A broken line of a picture.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// Its name in the legend, which lines share.
+    pub name: &'static str,
+    /// Points in the plane.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// A drawing to scale.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// A short name, unique in the paper: the file's name without its ending.
+    pub id: &'static str,
+    /// What it shows.
+    pub title: String,
+    /// What is drawn, the last on top.
+    pub lines: Vec<Line>,
+}
+
 /// What an examination of a paper finds.
 #[derive(Clone, Debug)]
 pub struct Report {
@@ -183,6 +203,8 @@ pub struct Report {
     pub claims: Vec<Claim>,
     /// Plots.
     pub plots: Vec<Plot>,
+    /// Drawings.
+    pub pictures: Vec<Picture>,
     /// Certificates by file name, sorted.
     pub certificates: Vec<(String, Certificate)>,
 }

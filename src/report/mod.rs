@@ -6,5 +6,6 @@ pub mod hausdorff;
 pub mod measurement;
 pub mod paper;
 pub mod papers;
+pub mod picture;
 pub mod plots;
 pub mod spectrum;

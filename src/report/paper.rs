@@ -7,7 +7,7 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json as object};
 
-use super::plots;
+use super::{picture, plots};
 use crate::mesh::io::write_atomically;
 use crate::paper::{Claim, Report, Table, Verdict};
 
@@ -172,6 +172,9 @@ pub fn markdown(report: &Report) -> String {
     for plot in &report.plots {
         let _ = writeln!(out, "![{}]({}.svg)\n", plot.title, plot.id);
     }
+    for picture in &report.pictures {
+        let _ = writeln!(out, "![{}]({}.svg)\n", picture.title, picture.id);
+    }
     let _ = writeln!(out, "## Claims");
     for claim in &report.claims {
         let _ = writeln!(
@@ -270,6 +273,10 @@ pub fn write_folder(folder: &Path, report: &Report) -> io::Result<()> {
     let mut text = serde_json::to_string_pretty(&json(report))?;
     text.push('\n');
     write(format!("{}.json", report.id), text)?;
+    for picture in &report.pictures {
+        let drawn = picture::svg(picture).map_err(io::Error::other)?;
+        write(format!("{}.svg", picture.id), drawn)?;
+    }
     for plot in &report.plots {
         let drawn = plots::svg(plot).map_err(io::Error::other)?;
         write(format!("{}.svg", plot.id), drawn)?;

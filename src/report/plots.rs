@@ -15,7 +15,7 @@ const LEGEND: u32 = 220;
 const CROSS: i32 = 6;
 
 /// Colours that differ for colour-blind readers too (Okabe & Ito).
-const COLOURS: [RGBColor; 8] = [
+pub(super) const COLOURS: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -26,7 +26,7 @@ const COLOURS: [RGBColor; 8] = [
     RGBColor(120, 120, 120),
 ];
 
-const FONT: &str = "sans-serif";
+pub(super) const FONT: &str = "sans-serif";
 
 /// The plot as an SVG document.
 ///

@@ -1,5 +1,8 @@
 //! From covers and far points to a certificate.
 
+use num_bigint::BigInt;
+use num_traits::{Signed, Zero};
+
 use super::super::hausdorff::Side;
 use super::facet::{root_above, square};
 use super::near::{Cell, Cover, mesh_to_surface, surface_to_mesh};
@@ -9,8 +12,9 @@ use super::{Boundary, CertifyError, Far, Flat, Request, With};
 use crate::certificate::{
     Certificate, Claim, Cosines, EigenLink, FarAt, HausdorffClaim, MeshData, NearBy, NearCell, Step,
 };
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Point};
 use crate::scalar::cosine::enclose_two_cos;
+use crate::scalar::float::round_to_nearest;
 use crate::scalar::{Field, Rational};
 use crate::scheme::{LoopWeights, Scheme};
 
@@ -44,14 +48,34 @@ pub fn certify(
     request: &Request<'_>,
     eigen: Option<&Eigen>,
 ) -> Result<Certificate, CertifyError> {
-    let setting = Setting::new(mesh, request)?;
+    let other = match request.flat {
+        Flat::Other(other) => Some(other),
+        _ => None,
+    };
+    let frame = Unit::of(&[Some(mesh), other]);
+    let (framed, other) = (frame.enter(mesh), other.map(|other| frame.enter(other)));
+    let in_frame = Request {
+        flat: match &other {
+            Some(other) => Flat::Other(other),
+            None => request.flat,
+        },
+        ..*request
+    };
+    let too_many = |error| match error {
+        CertifyError::TooManyParts { lo, hi } => {
+            let [lo, hi] = [lo, hi].map(|x| round_to_nearest(&frame.leave(x)));
+            CertifyError::TooManyParts { lo, hi }
+        }
+        error => error,
+    };
+    let setting = Setting::new(&framed, &in_frame)?;
     let near_mesh = match request.side {
         Side::MeshToSurface => None,
-        _ => Some(surface_to_mesh(&setting, request.gap)?),
+        _ => Some(surface_to_mesh(&setting, request.gap).map_err(too_many)?),
     };
     let near_surface = match request.side {
         Side::SurfaceToMesh => None,
-        _ => Some(mesh_to_surface(&setting, request.gap)?),
+        _ => Some(mesh_to_surface(&setting, request.gap).map_err(too_many)?),
     };
     let covers = || near_mesh.iter().chain(&near_surface);
     let hi = covers().map(|c| c.hi).fold(0.0, f64::max) * (1.0 + WIDENING);
@@ -68,7 +92,7 @@ pub fn certify(
     }));
     let vertex = request
         .vertices
-        .then(|| vertices(mesh, request))
+        .then(|| vertices(&framed, &in_frame))
         .transpose()?;
     steps.extend(vertex.map(|_| Step::Vertex {}));
     let (vertices, faces) = written(mesh);
@@ -105,9 +129,9 @@ pub fn certify(
             Side::Both => "both",
         }
         .into(),
-        lo: number(lo),
-        hi: number(hi),
-        vertex: vertex.map(number),
+        lo: frame.leave(lo).to_string(),
+        hi: frame.leave(hi).to_string(),
+        vertex: vertex.map(|x| frame.leave(x).to_string()),
         eigen: eigen.map(|e| EigenLink {
             valence: e.valence,
             frequency: e.frequency,
@@ -120,15 +144,43 @@ pub fn certify(
     Ok(certificate)
 }
 
-/// The number itself, which is dyadic.
-fn number(x: f64) -> String {
-    Rational::from_float(x)
-        .unwrap_or_else(<Rational as num_traits::Zero>::zero)
-        .to_string()
+/// Coordinates of about 1 near the origin, by an exact change of unit and origin: squares neither
+/// overflow nor underflow, and intervals lose nothing where a mesh lies far away.
+struct Unit {
+    factor: Rational,
+    origin: Point<Rational>,
+}
+
+impl Unit {
+    fn of(meshes: &[Option<&Mesh<Rational>>]) -> Self {
+        let all = || meshes.iter().flatten().flat_map(|mesh| &mesh.positions);
+        let origin = all().next().cloned().unwrap_or_else(Point::zero);
+        let apart = all().flat_map(|p| (p.clone() - &origin).0);
+        let largest = apart.map(|x| x.abs()).max().unwrap_or_else(Rational::zero);
+        // The exponent of a power of two within a factor of two.
+        let bits = |x: &BigInt| i64::try_from(x.bits()).unwrap_or(0);
+        let exponent = bits(largest.numer()) - bits(largest.denom());
+        let shift = Rational::from_integer(BigInt::from(1) << exponent.unsigned_abs());
+        let factor = if exponent >= 0 { shift.recip() } else { shift };
+        Unit { factor, origin }
+    }
+
+    fn enter(&self, mesh: &Mesh<Rational>) -> Mesh<Rational> {
+        let place = |p: &Point<Rational>| (p.clone() - &self.origin) * &self.factor;
+        Mesh {
+            topology: mesh.topology.clone(),
+            positions: mesh.positions.iter().map(place).collect(),
+        }
+    }
+
+    /// A length in the mesh's own unit, exactly.
+    fn leave(&self, length: f64) -> Rational {
+        Rational::from_float(length).unwrap_or_else(Rational::zero) / &self.factor
+    }
 }
 
 fn written(mesh: &Mesh<Rational>) -> (Vec<[String; 3]>, Vec<Vec<u32>>) {
-    let point = |p: &crate::mesh::Point<Rational>| p.0.each_ref().map(ToString::to_string);
+    let point = |p: &Point<Rational>| p.0.each_ref().map(ToString::to_string);
     let face = |f| mesh.topology.corners(f).iter().map(|v| v + 1).collect();
     (
         mesh.positions.iter().map(point).collect(),

@@ -27,7 +27,8 @@ fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// Weights `(s, t)` of corners 1 and 2 in the point of a triangle nearest to p, nearly.
+/// Weights `(s, t)` of corners 1 and 2 in the point of a triangle nearest to p, nearly; s, t >= 0 and
+/// s + t <= 1 but for one rounding.
 ///
 /// The nearest point of each edge, and the foot on the plane if it is inside; the nearest of these.
 fn foot(p: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> [f64; 2] {
@@ -38,28 +39,46 @@ fn foot(p: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> [f64; 2] {
         if t > 0.0 { t.min(1.0) } else { 0.0 }
     };
     let (r, s, t) = (along(a, e), along(a, f), along(b, minus(c, b)));
-    let mut all = vec![[r, 0.0], [0.0, s], [1.0 - t, t]];
     let (ee, ef, ff) = (dot(e, e), dot(e, f), dot(f, f));
     let (de, df) = (dot(d, e), dot(d, f));
     let det = ee * ff - ef * ef;
     let inner = [(de * ff - df * ef) / det, (df * ee - de * ef) / det];
-    if inner[0] >= 0.0 && inner[1] >= 0.0 && inner[0] + inner[1] <= 1.0 {
-        all.push(inner);
-    }
+    let inside = inner[0] >= 0.0 && inner[1] >= 0.0 && inner[0] + inner[1] <= 1.0;
+    let last = if inside { inner } else { [r, 0.0] };
     let distance = |[s, t]: &[f64; 2]| {
         let q = [0, 1, 2].map(|i| d[i] - s * e[i] - t * f[i]);
         dot(q, q)
     };
-    let nearest = all
+    let nearer = |x: [f64; 2], y: [f64; 2]| if distance(&y) < distance(&x) { y } else { x };
+    [[0.0, s], [1.0 - t, t], last]
         .into_iter()
-        .min_by(|x, y| distance(x).total_cmp(&distance(y)));
-    nearest.unwrap_or([0.0; 2])
+        .fold([r, 0.0], nearer)
+}
+
+/// The point of a triangle nearest to p, in floats: no bound.
+pub fn estimate_foot(p: [f64; 3], triangle: [[f64; 3]; 3]) -> [f64; 3] {
+    let [s, t] = foot(p, triangle);
+    let [a, b, c] = triangle;
+    [0, 1, 2].map(|i| a[i] + s * (b[i] - a[i]) + t * (c[i] - a[i]))
+}
+
+/// The distance from p to a triangle, in floats: no bound.
+pub fn estimate_distance(p: [f64; 3], triangle: [[f64; 3]; 3]) -> f64 {
+    let away = minus(p, estimate_foot(p, triangle));
+    dot(away, away).sqrt()
+}
+
+/// A lower bound of the distance from every point of the box p to every triangle with corners in these
+/// boxes; 0 if a plane does not separate them.
+pub fn lower_bound_of_distance(p: &P, triangle: &[P; 3]) -> f64 {
+    hull_below(p, middles(&foot_point(p, triangle)), triangle)
 }
 
 /// A point of the triangle, nearly the nearest to p.
 pub(super) fn foot_point(p: &P, [a, b, c]: &[P; 3]) -> P {
     let [s, t] = foot(middles(p), [a, b, c].map(middles));
-    // In the triangle: s, t >= 0, s + t <= 1, whatever rounding did.
+    // In the triangle: s, t >= 0 and s + t <= 1. Where that is above, it is by one rounding, 2^-53, and
+    // the products round by as much again: less than the 1e-15 that is taken off.
     let sum = Interval::point(s) + Interval::point(t);
     let (s, t) = if sum.sup() <= 1.0 {
         (s, t)
@@ -68,6 +87,12 @@ pub(super) fn foot_point(p: &P, [a, b, c]: &[P; 3]) -> P {
     };
     let [s, t] = [s, t].map(Interval::point);
     *a + (*b - a) * &s + (*c - a) * &t
+}
+
+/// An upper bound of the distance from every point of the box p to every triangle with corners in these
+/// boxes.
+pub fn upper_bound_of_distance(p: &P, triangle: &[P; 3]) -> f64 {
+    to_triangle(&[*p], triangle)
 }
 
 /// The squared distance; its upper end bounds the squared distance of P to anything that contains Q.

@@ -27,6 +27,9 @@ use crate::scalar::Rational;
 use crate::scheme::Scheme;
 
 pub use export::{Eigen, certify};
+pub use facet::{
+    estimate_distance, estimate_foot, lower_bound_of_distance, upper_bound_of_distance,
+};
 
 /// How the surface ends at a boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -12,6 +12,8 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
+use num_traits::Zero;
+
 use crate::bernstein::from_net;
 use crate::mesh::{Mesh, Point};
 use crate::scalar::{Field, Interval};
@@ -26,6 +28,13 @@ pub(super) struct Rules {
     corner: CornerRule,
     /// Vertex and limit masks of Loop by valence.
     masks: HashMap<usize, (StarMask<Interval>, StarMask<Interval>)>,
+}
+
+/// Which point of a vertex is wanted.
+#[derive(Clone, Copy)]
+enum Target {
+    Refined,
+    Limit,
 }
 
 /// The points round a corner of a part.
@@ -77,7 +86,7 @@ impl Rules {
 }
 
 fn sum<'a>(points: impl Iterator<Item = &'a P>) -> P {
-    points.fold(num_traits::Zero::zero(), |sum: P, p| sum + p)
+    points.fold(P::zero(), |sum, p| sum + p)
 }
 
 fn centroid(points: &[P], face: &[u32]) -> P {
@@ -159,51 +168,39 @@ impl Net {
         &self.points[vertex as usize]
     }
 
-    /// The masks of Loop's interior vertices, and the sum over the ring.
-    fn ring(&self, star: &Star<'_>) -> P {
-        sum(star.neighbours.iter().map(|w| self.at(*w)))
-    }
-
-    fn new_vertex(&self, rules: &Rules, vertex: u32) -> P {
+    /// The vertex point of the next level, or the limit.
+    fn vertex_point(&self, rules: &Rules, vertex: u32, target: Target) -> P {
         let (p, star) = (self.at(vertex), self.star(vertex));
         if let [a, b] = star.boundary[..] {
             if star.faces.len() == 1 && rules.corner == CornerRule::Sharp {
                 return *p;
             }
-            return boundary::vertex_point(p, self.at(a), self.at(b));
+            let (a, b) = (self.at(a), self.at(b));
+            return match target {
+                Target::Refined => boundary::vertex_point(p, a, b),
+                Target::Limit => boundary::limit_point(p, a, b),
+            };
         }
-        let (n, ring) = (star.neighbours.len(), self.ring(&star));
+        let n = star.neighbours.len();
+        let ring = sum(star.neighbours.iter().map(|w| self.at(*w)));
         if rules.is_loop() {
-            return rules.masks[&n].0.apply_ring(p, &ring);
+            let (refined, limit) = &rules.masks[&n];
+            return match target {
+                Target::Refined => refined.apply_ring(p, &ring),
+                Target::Limit => limit.apply_ring(p, &ring),
+            };
         }
-        let faces: Vec<P> = star
-            .faces
-            .iter()
-            .map(|f| centroid(&self.points, f))
-            .collect();
-        catmull_clark::vertex_mask(n as u32).apply(p, &ring, &sum(faces.iter()))
+        let mask = match target {
+            Target::Refined => catmull_clark::vertex_mask(n as u32),
+            Target::Limit => catmull_clark::limit_mask_polygons(n as u32),
+        };
+        let faces = star.faces.iter().map(|f| centroid(&self.points, f));
+        mask.apply(p, &ring, &faces.fold(P::zero(), |sum, f| sum + f))
     }
 
     /// The point of the surface at a corner of the part.
     pub(super) fn limit(&self, rules: &Rules, corner: usize) -> P {
-        let vertex = self.faces[0][corner];
-        let (p, star) = (self.at(vertex), self.star(vertex));
-        if let [a, b] = star.boundary[..] {
-            if star.faces.len() == 1 && rules.corner == CornerRule::Sharp {
-                return *p;
-            }
-            return boundary::limit_point(p, self.at(a), self.at(b));
-        }
-        let (n, ring) = (star.neighbours.len(), self.ring(&star));
-        if rules.is_loop() {
-            return rules.masks[&n].1.apply_ring(p, &ring);
-        }
-        let faces: Vec<P> = star
-            .faces
-            .iter()
-            .map(|f| centroid(&self.points, f))
-            .collect();
-        catmull_clark::limit_mask_polygons(n as u32).apply(p, &ring, &sum(faces.iter()))
+        self.vertex_point(rules, self.faces[0][corner], Target::Limit)
     }
 
     fn edge_point(&self, rules: &Rules, a: u32, b: u32) -> P {
@@ -246,7 +243,7 @@ impl Net {
         };
         let vertex: HashMap<u32, u32> = part
             .iter()
-            .map(|v| (*v, add(self.new_vertex(rules, *v))))
+            .map(|v| (*v, add(self.vertex_point(rules, *v, Target::Refined))))
             .collect();
         let mut edge: HashMap<(u32, u32), u32> = HashMap::new();
         for face in &self.faces {

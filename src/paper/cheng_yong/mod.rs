@@ -153,6 +153,7 @@ fn report(found: &[Valence]) -> Report {
         tables: vec![first_order::table(&first), first_order::table_by_set(&first), table_c, second_order::table(found)],
         claims,
         plots: plots::plots(found),
+        pictures: Vec::new(),
         certificates,
     }
 }

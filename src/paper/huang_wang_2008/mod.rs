@@ -151,6 +151,7 @@ fn report(found: &Findings) -> Report {
         ],
         claims,
         plots: plots::plots(found),
+        pictures: Vec::new(),
         certificates,
     }
 }

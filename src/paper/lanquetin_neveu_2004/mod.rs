@@ -124,6 +124,7 @@ fn report(asked: &[u32], by_valence: &[ValenceFindings], constants: &[Constants]
         ],
         claims,
         plots: plots::plots(by_valence, &members),
+        pictures: Vec::new(),
         certificates: by_name(certificates),
     }
 }

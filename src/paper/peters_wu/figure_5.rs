@@ -4,21 +4,27 @@
 //! is sampled at limit points, which lie on it; a lower bound of the distance to each facet of the two-ring is
 //! certified for the best of them. The paper gives no normalisation, so its two numbers are compared as a ratio.
 
-use num_traits::Zero;
-
-use super::meshes;
 use super::printed;
 use super::redone::WEIGHTS;
+use super::saddles::Saddle as Certified;
+use crate::distance::certify::{
+    estimate_distance, estimate_foot, lower_bound_of_distance, upper_bound_of_distance,
+};
 use crate::mesh::{Mesh, Point};
 use crate::paper::words::claim;
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::refine::{enclose_limits, enclose_refined};
-use crate::scalar::{Decide, Interval};
+use crate::scalar::float::{round_to_nearest, upper_sqrt};
+use crate::scalar::{Field, Interval, Rational};
 use crate::scheme::{CornerRule, Scheme};
-use crate::spectrum::loop_modes::{Family, loop_modes};
+use crate::spectrum::Rules;
+use crate::spectrum::eigen_mesh::eigen_mesh;
 
-/// Refinements whose limit points are tried.
-const SAMPLING: u32 = 4;
+/// Refinements, below the facets' level, whose limit points are tried.
+pub(super) const SAMPLING: u32 = 4;
+
+/// Refinements that count as "a few": the extremum is at none of their limit points.
+const FEW: u32 = 3;
 
 /// Levels of the polyhedron: "a few steps of subdivision don't make the heuristic safe".
 const LEVELS: u32 = 2;
@@ -35,44 +41,37 @@ pub struct Saddle {
     pub distance: f64,
     /// An upper bound of the distances of the vertices over S_n to their limits.
     pub heuristic: f64,
-    /// Whether the point is a limit of a vertex of the facets' level.
-    pub at_vertex: bool,
+    /// An upper bound of the distances, to the facets, of the limit points of [`FEW`] refinements.
+    pub coarser: f64,
+    /// The farthest point found, and the foot point on its nearest facet; for pictures.
+    pub farthest: [[f64; 3]; 2],
 }
 
-/// The open mesh of the two-ring, in `f64`: what is certified is about these coordinates.
+/// The open mesh of the two-ring, rounded to multiples of 2^-40: what is certified is about these
+/// coordinates.
 pub fn mesh(n: u32, frequency: u32, amplitude: f64) -> Option<Mesh> {
-    let (spectrum, modes) = loop_modes::<Interval>(WEIGHTS, n)?;
-    let nets = |frequency: u32| {
-        let (_, members) =
-            (modes.iter()).find(|(m, _)| m.family == Family::Ring && m.frequency == frequency)?;
-        Some(members.iter().map(|&m| spectrum.net(m)).collect::<Vec<_>>())
-    };
-    let (chi, wave) = (nets(1)?, nets(frequency)?);
-    let sine = spectrum.sine_squared(1).sqrt()?;
-    let points: Vec<Point<f64>> = (0..spectrum.ring().len())
-        .map(|i| {
-            let y = chi[1][i] * sine;
-            Point([chi[0][i].mid(), y.mid(), amplitude * wave[0][i].mid()])
-        })
-        .collect();
-    Some(meshes::two_ring(n, &points))
+    let amplitude = Rational::from_float(amplitude)?;
+    let net = eigen_mesh(Rules::Loop(WEIGHTS), n, frequency, &amplitude)?.mesh;
+    let nearest = |p: &Point<Rational>| Point(p.0.each_ref().map(round_to_nearest));
+    Some(Mesh {
+        topology: net.topology,
+        positions: net.positions.iter().map(nearest).collect(),
+    })
 }
 
 impl Saddle {
     /// For a valence, a frequency, an amplitude and a level of the facets.
     pub fn of(n: u32, frequency: u32, amplitude: f64, level: u32) -> Option<Self> {
-        let mesh = mesh(n, frequency, amplitude)?;
-        Self::of_net(n, &mesh.positions, level, SAMPLING)
+        Self::of_mesh(&mesh(n, frequency, amplitude)?, level, SAMPLING)
     }
 
-    /// The same for any net of a two-ring, sampled at the limit points so many levels below that of the facets.
+    /// The same for any mesh of a two-ring ([`meshes::two_ring`]), sampled at the limit points so many levels
+    /// below that of the facets.
     ///
-    /// # Panics
-    /// If the net has not 1 + 3n points.
-    pub fn of_net(n: u32, net: &[Point<f64>], level: u32, sampling: u32) -> Option<Self> {
-        let mesh = meshes::two_ring(n, net);
+    /// [`meshes::two_ring`]: super::meshes::two_ring
+    pub fn of_mesh(mesh: &Mesh, level: u32, sampling: u32) -> Option<Self> {
         let scheme = Scheme::Loop(WEIGHTS);
-        let refined = |m| enclose_refined(scheme, CornerRule::Smooth, &mesh, m).ok();
+        let refined = |m| enclose_refined(scheme, CornerRule::Smooth, mesh, m).ok();
         let (coarse, facets) = refined(level)?;
         let coarse_limits = enclose_limits(scheme, CornerRule::Smooth, &coarse, &facets).ok()?;
         let (fine, points) = refined(sampling + level)?;
@@ -93,37 +92,51 @@ impl Saddle {
             })
             .collect();
         let nearest = |p: &[f64; 3]| {
-            corners
-                .iter()
-                .map(|t| length(sub(*p, foot(p, t))))
-                .fold(f64::INFINITY, f64::min)
+            let distances = corners.iter().map(|t| estimate_distance(*p, *t));
+            distances.fold(f64::INFINITY, f64::min)
         };
         let sampled = vertices(&fine, sampling + level);
         let best = sampled
             .iter()
             .map(|&v| (v, nearest(&limits.positions[v as usize].0)))
             .fold((0, -1.0), |best, at| if at.1 > best.1 { at } else { best });
-        let point = limits.positions[best.0 as usize].0;
-        let radius = limits.radius + facets.radius;
+        let around = |p: &[f64; 3], radius: f64| {
+            Point(p.map(|x| Interval::point(x) + Interval::new(-radius, radius)))
+        };
+        let point = around(&limits.positions[best.0 as usize].0, limits.radius);
+        let farthest = limits.positions[best.0 as usize].0;
+        let away = |t: &[[f64; 3]; 3]| estimate_distance(farthest, *t);
+        let facet = corners.iter().min_by(|s, t| away(s).total_cmp(&away(t)))?;
+        let below = |t: &[[f64; 3]; 3]| {
+            lower_bound_of_distance(&point, &t.each_ref().map(|x| around(x, facets.radius)))
+        };
+        // Refinement keeps the numbers of vertices.
+        let few = refined(level + sampling.min(FEW))?.0.vertex_count();
+        let above = |v: &u32| {
+            let p = around(&limits.positions[*v as usize].0, limits.radius);
+            let to = |t: &[[f64; 3]; 3]| {
+                upper_bound_of_distance(&p, &t.each_ref().map(|x| around(x, facets.radius)))
+            };
+            corners.iter().map(to).fold(f64::INFINITY, f64::min)
+        };
+        let coarser = sampled.iter().filter(|v| **v < few).map(above);
+        let coarser = coarser.fold(0.0, f64::max);
         let mut heuristic = 0.0_f64;
         for v in vertices(&coarse, level) {
-            let away = sub(
-                facets.positions[v as usize].0,
-                coarse_limits.positions[v as usize].0,
-            );
-            heuristic = heuristic.max(length(away));
+            let ends = [
+                around(&facets.positions[v as usize].0, facets.radius),
+                around(&coarse_limits.positions[v as usize].0, coarse_limits.radius),
+            ];
+            let [x, y, z] = (ends[0] - &ends[1]).0;
+            let square = x.sqr() + y.sqr() + z.sqr();
+            heuristic = heuristic.max(square.sup());
         }
-        let off = 2.0 * (facets.radius + coarse_limits.radius) + 1e-12;
         Some(Saddle {
             level,
-            distance: corners
-                .iter()
-                .map(|t| certain_distance(&point, t, radius))
-                .collect::<Option<Vec<f64>>>()?
-                .into_iter()
-                .fold(f64::INFINITY, f64::min),
-            heuristic: heuristic + off,
-            at_vertex: best.0 < coarse.vertex_count(),
+            distance: corners.iter().map(below).fold(f64::INFINITY, f64::min),
+            heuristic: upper_sqrt(heuristic),
+            coarser,
+            farthest: [farthest, estimate_foot(farthest, *facet)],
         })
     }
 
@@ -133,64 +146,8 @@ impl Saddle {
     }
 }
 
-fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn length(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
-}
-
-/// A point of a triangle near p, in floats.
-fn foot(p: &[f64; 3], [a, b, c]: &[[f64; 3]; 3]) -> [f64; 3] {
-    let on_segment = |a: [f64; 3], b: [f64; 3]| {
-        let along = sub(b, a);
-        let t = (dot(sub(*p, a), along) / dot(along, along)).clamp(0.0, 1.0);
-        [0, 1, 2].map(|i| a[i] + t * along[i])
-    };
-    let (u, v, w) = (sub(*b, *a), sub(*c, *a), sub(*p, *a));
-    let (uu, uv, vv, uw, vw) = (dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w));
-    let det = uu * vv - uv * uv;
-    let (s, t) = ((vv * uw - uv * vw) / det, (uu * vw - uv * uw) / det);
-    if s >= 0.0 && t >= 0.0 && s + t <= 1.0 {
-        return [0, 1, 2].map(|i| a[i] + s * u[i] + t * v[i]);
-    }
-    let candidates = [on_segment(*a, *b), on_segment(*b, *c), on_segment(*c, *a)];
-    let nearer = |x: [f64; 3], y: [f64; 3]| match length(sub(*p, x)) <= length(sub(*p, y)) {
-        true => x,
-        false => y,
-    };
-    candidates.into_iter().reduce(nearer).unwrap_or(*a)
-}
-
-/// A lower bound of the distance from p to a triangle, both off by at most `radius` per coordinate in all:
-/// `min_i D·(p - x_i) / |D|` for the direction D from the foot point, less 2 radius (> √3 radius).
-fn certain_distance(p: &[f64; 3], triangle: &[[f64; 3]; 3], radius: f64) -> Option<f64> {
-    let direction = sub(*p, foot(p, triangle)).map(Interval::point);
-    let size = direction
-        .iter()
-        .fold(Interval::zero(), |s, d| s + d.sqr())
-        .sqrt()?;
-    let against = |x: &[f64; 3]| {
-        (0..3).fold(Interval::zero(), |s, i| {
-            s + direction[i] * (Interval::point(p[i]) - Interval::point(x[i]))
-        })
-    };
-    let least = triangle.iter().map(against).reduce(Interval::min)?;
-    let distance = least / size - Interval::point(2.0 * radius);
-    // A direction that separates nothing.
-    let positive = distance
-        .decide(&Interval::zero())
-        .is_some_and(|o| o.is_gt());
-    Some(if positive { distance.inf() } else { 0.0 })
-}
-
-/// The claims.
-pub fn claims() -> Vec<Claim> {
+/// The claims; for those that rest on them, the certificates.
+pub fn claims(saddles: &[Certified]) -> Vec<Claim> {
     let (n, distance, at_vertex) = printed::FIGURE_5;
     let levels: Option<Vec<Saddle>> = (0..=LEVELS)
         .map(|m| Saddle::of(n, FREQUENCY, 1.0, m))
@@ -207,35 +164,54 @@ pub fn claims() -> Vec<Claim> {
     };
     let texts: Vec<String> = found.iter().map(describe).collect();
     let unsafe_at = |s: &Saddle| s.distance > s.heuristic;
-    let scope = format!(
-        "Loop, n = {n}, frequency {FREQUENCY}, ring radius 1, amplitude 1; coordinates in f64"
-    );
+    let loops = |s: &&Certified| s.scheme == Scheme::Loop(WEIGHTS);
+    let own = saddles.iter().filter(loops).find(|s| s.valence == n);
+    let own = own.and_then(|s| Some((s.name.clone(), s.proved()?)));
+    let proved = own.as_ref().map_or("-".into(), |(_, (h, vertex))| {
+        let ratio = Enclosure::exactly(h.lo.clone() / vertex);
+        let vertex = Enclosure::exactly(vertex.clone()).decimal(6);
+        format!(
+            "the distance is in {}, that of vertices at most {vertex}: {} times as much at least, {} as printed; the \
+             paper's normalisation is not known. {}",
+            h.decimal(5),
+            ratio.decimal(2),
+            printed_ratio.decimal(2),
+            sentence(saddles.iter().filter(loops).filter(|s| s.valence != n))
+        )
+    });
+    let scope = format!("Loop, n = {n}, frequency {FREQUENCY}, ring radius 1, amplitude 1");
+    let quads = || saddles.iter().filter(|s| s.scheme == Scheme::CatmullClark);
+    let beaten = |s: &Certified| s.proved().map(|(h, vertex)| h.lo > vertex);
+    let names = |list: &mut dyn Iterator<Item = &Certified>| list.map(|s| s.name.clone()).collect();
     vec![
-        claim(
-            "figure-5",
-            "Figure 5; (ii)",
-            format!(
-                "For the saddle of n = {n} the largest distance of a control point to its limit underestimates the distance \
-                 between surface and facets: {at_vertex} against {distance}."
-            ),
-            Verdict::of(Some(unsafe_at(&found[0]))),
-            format!(
-                "{}: {:.3} times as much at least, {} as printed; the paper's normalisation is not known. Two-sided in \
-                 certificate loop-original-saddle-n{n:02}.json",
-                texts[0],
-                found[0].ratio(),
-                printed_ratio.decimal(2)
-            ),
-            scope.clone(),
-        ),
+        Claim {
+            certificates: names(&mut saddles.iter().filter(loops)),
+            ..claim(
+                "figure-5",
+                "Figure 5; (ii)",
+                format!(
+                    "For the saddle of n = {n} the largest distance of a control point to its limit underestimates the \
+                     distance between surface and facets: {at_vertex} against {distance}."
+                ),
+                Verdict::of(own.map(|(_, (h, vertex))| h.lo > vertex)),
+                proved,
+                scope.clone(),
+            )
+        },
         claim(
             "figure-5-interior",
             "Figure 5",
             "The extremum is not taken on at a vertex or some vertex after a few binary refinements.",
-            Verdict::of(Some(found.iter().all(|s| !s.at_vertex && unsafe_at(s)))),
+            Verdict::of(Some(found.iter().all(|s| s.distance > s.coarser))),
             format!(
-                "the farthest of the limit points of level {SAMPLING} is none of those of level 0, and it alone is farther \
-                 than all vertices of that level; it lies on an edge between two patches"
+                "a limit point of {SAMPLING} refinements is farther than those of {FEW}: {}",
+                (found.iter())
+                    .map(|s| format!(
+                        "m = {}: at least {:.6} against at most {:.6}",
+                        s.level, s.distance, s.coarser
+                    ))
+                    .collect::<Vec<_>>()
+                    .join("; ")
             ),
             scope.clone(),
         ),
@@ -247,26 +223,39 @@ pub fn claims() -> Vec<Claim> {
             texts.join("; "),
             scope,
         ),
+        Claim {
+            certificates: names(&mut quads()),
+            ..claim(
+                "figure-5-catmull-clark",
+                "section 5",
+                "A similar example can be constructed for Catmull-Clark subdivision.",
+                Verdict::of(quads().map(beaten).collect::<Option<Vec<bool>>>().and_then(
+                    |beaten| (!beaten.is_empty()).then(|| beaten.into_iter().any(|b| b)),
+                )),
+                sentence(quads()),
+                "bilinear faces",
+            )
+        },
     ]
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// By hand: above the middle of a triangle, beside an edge, beyond a corner.
-    #[test]
-    fn distances_to_a_triangle() {
-        let t = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
-        for (p, d) in [
-            ([1.0, 1.0, 2.0], 2.0),
-            ([1.0, -3.0, 0.0], 3.0),
-            ([-3.0, -4.0, 0.0], 5.0),
-        ] {
-            let found = certain_distance(&p, &t, 0.0).expect("a direction");
-            assert!(found <= d && found > d - 1e-12);
-            let less = certain_distance(&p, &t, 0.1).expect("a direction");
-            assert!(less < d - 0.17);
-        }
-    }
+/// How often the bound of the vertices goes into the distance, for each saddle.
+fn sentence<'a>(saddles: impl Iterator<Item = &'a Certified>) -> String {
+    let one = |s: &Certified| {
+        let (h, vertex) = s.proved()?;
+        let what = if s.grid {
+            format!("the regular grid i^2 - j^2 of valence {}", s.valence)
+        } else {
+            format!("n = {}", s.valence)
+        };
+        let tiny = Rational::ratio(1, 1 << 50);
+        Some(if vertex < tiny {
+            format!("{what}: {}, vertices within 2^-50", h.decimal(4))
+        } else {
+            let ratio = Enclosure::exactly(h.lo / &vertex);
+            format!("{what}: at least {} times", ratio.decimal(2))
+        })
+    };
+    let all: Vec<String> = saddles.filter_map(one).collect();
+    format!("By certificates also {}", all.join("; "))
 }

@@ -13,6 +13,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::mesh::{Mesh, Point, Topology};
+use crate::paper::lanquetin_neveu_2004::meshes::{self as solids, Authored};
 
 /// A mesh of triangles by its name.
 #[derive(Clone, Debug)]
@@ -121,56 +122,20 @@ impl Draft {
     }
 }
 
-fn octahedron() -> Draft {
-    let axis = |k: usize, s: f64| {
-        let mut p = [0.0; 3];
-        p[k] = s;
-        p
-    };
+/// A solid as a draft; only its directions matter once it is made radial.
+fn solid(solid: &Authored) -> Draft {
     Draft {
-        points: (0..3).flat_map(|k| [axis(k, 1.0), axis(k, -1.0)]).collect(),
-        faces: vec![
-            [0, 2, 4],
-            [2, 1, 4],
-            [1, 3, 4],
-            [3, 0, 4],
-            [2, 0, 5],
-            [1, 2, 5],
-            [3, 1, 5],
-            [0, 3, 5],
-        ],
+        points: solid.points.iter().map(|p| p.map(|x| x as f64)).collect(),
+        faces: solid.faces.clone(),
     }
 }
 
+fn octahedron() -> Draft {
+    solid(&solids::octahedron(1))
+}
+
 fn icosahedron() -> Draft {
-    let golden = 1.618_034;
-    let mut points: Vec<[f64; 3]> = Vec::new();
-    for [s, t] in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
-        let (a, b) = (s, t * golden);
-        points.extend([[0.0, a, b], [a, b, 0.0], [b, 0.0, a]]);
-    }
-    let near = |a: usize, b: usize| {
-        let d: f64 = (0..3).map(|k| (points[a][k] - points[b][k]).powi(2)).sum();
-        d < 5.0
-    };
-    let determinant = |[a, b, c]: [[f64; 3]; 3]| {
-        a[0] * (b[1] * c[2] - b[2] * c[1])
-            + a[1] * (b[2] * c[0] - b[0] * c[2])
-            + a[2] * (b[0] * c[1] - b[1] * c[0])
-    };
-    let mut faces = Vec::new();
-    for a in 0..12 {
-        for b in a + 1..12 {
-            for c in b + 1..12 {
-                if near(a, b) && near(b, c) && near(a, c) {
-                    let outward = determinant([a, b, c].map(|v| points[v])) > 0.0;
-                    let face = if outward { [a, b, c] } else { [a, c, b] };
-                    faces.push(face.map(|v| v as u32));
-                }
-            }
-        }
-    }
-    Draft { points, faces }
+    solid(&solids::icosahedron())
 }
 
 /// In the place of Star: spikes of valence 3 on a split octahedron, whose vertices get valences 8 and 12.

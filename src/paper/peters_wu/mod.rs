@@ -6,7 +6,7 @@
 //! | eigenvalues, steps, characteristic map | `spectral.rs` | exact spectra |
 //! | Definition 2.1, Lemmas 1 to 3, Theorem 1, Corollaries 2, 3 | `theorems.rs` | identities in Q(cos 2π/n) |
 //! | Example 1, all m, both weights, both scopes | `example_1.rs` | Bernstein coefficients; certificates |
-//! | Figure 5 | `figure_5.rs` | a point of the surface, certified |
+//! | Figure 5, other saddles | `figure_5.rs`, `saddles.rs`, `picture.rs` | points of the surface, certified; certificates from both sides |
 //! | Corollary 1, the tables, `tab-eigen`, `tab-interp` | `estimates.rs` | certified distances of eigensplines |
 //! | Table 1 against its definitions, costs | `print.rs` | the printed numbers alone |
 //! | (ii) to (iv), observations (1) to (4) | `observations.rs` over `experiment.rs` | the printed table, and the redone one |
@@ -20,10 +20,12 @@ pub mod experiment;
 pub mod figure_5;
 pub mod meshes;
 mod observations;
+mod picture;
 mod plots;
 mod print;
 pub mod printed;
 pub mod redone;
+pub mod saddles;
 mod spectral;
 mod tables;
 pub mod theorems;
@@ -103,9 +105,11 @@ fn report(asked: &[u32], found: &[Found], redone: &[redone::Redone]) -> Report {
     let ours = redone::experiment(redone);
     let mut claims = spectra.claims();
     claims.extend(theorems::claims(found));
-    let (example, certificates) = example_1::claims();
+    let (example, mut certificates) = example_1::claims();
     claims.extend(example);
-    claims.extend(figure_5::claims());
+    let saddles = saddles::all().unwrap_or_default();
+    claims.extend(figure_5::claims(&saddles));
+    certificates.extend(saddles.into_iter().map(|s| (s.name, s.certificate)));
     claims.extend(estimates::claims(asked, redone, &ours));
     claims.extend(print::claims());
     claims.extend(observations::claims(&printed, Source::Print));
@@ -127,6 +131,7 @@ fn report(asked: &[u32], found: &[Found], redone: &[redone::Redone]) -> Report {
         tables: tables::tables(&printed, &ours, redone, &spectra),
         claims,
         plots: plots::plots(&printed, &ours),
+        pictures: picture::pictures(),
         certificates: by_name(certificates),
     }
 }
