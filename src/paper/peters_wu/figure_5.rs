@@ -23,7 +23,8 @@ use crate::spectrum::eigen_mesh::eigen_mesh;
 /// Refinements, below the facets' level, whose limit points are tried.
 pub(super) const SAMPLING: u32 = 4;
 
-/// Refinements that count as "a few": the extremum is at none of their limit points.
+/// Refinements that count as "a few" ([`Saddle::coarser`]): the extremum is at none of their limit
+/// points.
 const FEW: u32 = 3;
 
 /// Levels of the polyhedron: "a few steps of subdivision don't make the heuristic safe".
@@ -41,7 +42,7 @@ pub struct Saddle {
     pub distance: f64,
     /// An upper bound of the distances of the vertices over S_n to their limits.
     pub heuristic: f64,
-    /// An upper bound of the distances, to the facets, of the limit points of [`FEW`] refinements.
+    /// An upper bound of the distances, to the facets, of the limit points of three refinements.
     pub coarser: f64,
     /// The farthest point found, and the foot point on its nearest facet; for pictures.
     pub farthest: [[f64; 3]; 2],
