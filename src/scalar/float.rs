@@ -103,6 +103,27 @@ pub fn round_up(x: &Rational) -> f64 {
     if x.is_negative() { 0.0 - down } else { up }
 }
 
+/// A decimal of so many digits (or one unit more) whose nearest `f64` is at least x > 0.
+///
+/// ```
+/// use subcert::scalar::float::decimal_above;
+/// use subcert::scalar::{Field, Rational};
+/// assert_eq!(decimal_above(&Rational::ratio(1, 3), 4), "3334e-4");
+/// ```
+pub fn decimal_above(x: &Rational, digits: u32) -> String {
+    let near = round_up(x);
+    let exponent = near.log10().floor() as i32 + 1 - digits as i32;
+    let mut mantissa = (near / 10.0f64.powi(exponent)).floor() as u64;
+    loop {
+        let text = format!("{mantissa}e{exponent}");
+        let value: f64 = text.parse().expect("a number");
+        if Rational::from_float(value).is_some_and(|value| value >= *x) {
+            return text;
+        }
+        mantissa += 1;
+    }
+}
+
 /// The `f64` nearest to `x`, ties to even, overflow to infinity as IEEE 754 has it.
 pub fn round_to_nearest(x: &Rational) -> f64 {
     let magnitude = truncate(x.numer().magnitude().clone().into(), x.denom());

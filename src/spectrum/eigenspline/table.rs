@@ -10,8 +10,7 @@ use std::sync::LazyLock;
 
 use super::mode::{CHAINED, Label, ModeFamily};
 use super::{Against, ModeDistances};
-use crate::scalar::Rational;
-use crate::scalar::float::round_up;
+use crate::scalar::float::decimal_above;
 use crate::scheme::LoopWeights;
 
 /// The bound of one mode at one level.
@@ -61,26 +60,11 @@ pub fn upper(
 pub fn line(weights: LoopWeights, n: u32, against: Against, mode: &ModeDistances) -> String {
     let frequency = mode.label.frequency;
     let frequency = frequency.map_or_else(|| "-".to_string(), |k| k.to_string());
-    let bounds = mode.distances.iter().map(|[_, hi]| decimal_above(hi));
+    let bounds = mode.distances.iter().map(|[_, hi]| decimal_above(hi, 7));
     let bounds: Vec<String> = bounds.collect();
     let family = mode.label.family;
     let bounds = bounds.join(" ");
     format!("{weights} {n} {against} {family} {frequency} {bounds}\n")
-}
-
-/// A decimal of seven digits whose nearest `f64` is at least x > 0.
-fn decimal_above(x: &Rational) -> String {
-    let near = round_up(x);
-    let exponent = near.log10().floor() as i32 - 6;
-    let mut digits = (near / 10.0f64.powi(exponent)).floor() as u64;
-    loop {
-        let text = format!("{digits}e{exponent}");
-        let value: f64 = text.parse().expect("a number");
-        if Rational::from_float(value).is_some_and(|value| value >= *x) {
-            return text;
-        }
-        digits += 1;
-    }
 }
 
 /// The file is a part of this program: what is wrong in it is a fault of the program.

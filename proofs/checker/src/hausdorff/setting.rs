@@ -51,11 +51,13 @@ impl Setting {
     pub fn new(claim: &Hausdorff, cosine: Option<&Cosine>) -> Outcome<Self> {
         let count = claim.vertices.len();
         check_faces(count, &claim.faces, claim.scheme == SchemeName::Loop)?;
-        let scale = scale(claim);
+        let origin = &claim.vertices[0];
+        let scale = scale(claim, origin);
         let scaled = |Number(x): &Number| Fixed::of(&(x * &scale));
-        let place = |list: &[[Number; 3]]| -> Vec<Vector> {
-            list.iter().map(|vertex| vertex.each_ref().map(scaled)).collect()
+        let at = |vertex: &[Number; 3]| -> Vector {
+            std::array::from_fn(|i| Fixed::of(&((&vertex[i].0 - &origin[i].0) * &scale)))
         };
+        let place = |list: &[[Number; 3]]| -> Vec<Vector> { list.iter().map(at).collect() };
         let faces = from_zero(&claim.faces);
         check_edges(&faces)?;
         let all: Vec<usize> = (0..count).collect();
@@ -114,13 +116,15 @@ impl Setting {
     }
 }
 
-/// A power of two that brings all coordinates below 1.
-fn scale(claim: &Hausdorff) -> BigRational {
+/// A power of two that brings all coordinates, taken from the origin's, below 1.
+fn scale(claim: &Hausdorff, origin: &[Number; 3]) -> BigRational {
     let other = claim.other.iter().flat_map(|other| &other.vertices);
-    let coordinates = claim.vertices.iter().chain(other).flatten();
+    let vertices = claim.vertices.iter().chain(other);
+    let coordinates =
+        vertices.flat_map(|vertex| vertex.iter().zip(origin).map(|(x, o)| &x.0 - &o.0));
     // |p/q| < 2^(bits of p - bits of q + 1).
     let above = |x: &BigRational| x.numer().bits() as i64 - x.denom().bits() as i64 + 1;
-    let least = coordinates.filter(|x| !x.0.is_zero()).map(|x| above(&x.0)).max();
+    let least = coordinates.filter(|x| !x.is_zero()).map(|x| above(&x)).max();
     let least = least.unwrap_or(0);
     let power = num_traits::pow(ratio(2, 1), least.unsigned_abs() as usize);
     if least > 0 { BigRational::one() / power } else { power }
