@@ -12,8 +12,9 @@ use subcert::mesh::{Mesh, Point};
 use subcert::paper::peters_wu::figure_5::Saddle;
 use subcert::paper::peters_wu::{examine, meshes, printed};
 use subcert::paper::{Claim, Report, Verdict};
-use subcert::predict::kernel::{Kernel, Norms, Sum};
-use subcert::predict::{Estimator, NotApplicable, estimate, isolation, table};
+use subcert::predict::eigen::kernel::{Kernel, Norms, Sum};
+use subcert::predict::eigen::{isolation, table};
+use subcert::predict::{Estimator, NotApplicable, estimate};
 use subcert::scalar::{Field, Rational, Ring};
 use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 use subcert::spectrum::loop_modes::{Family, loop_modes};
@@ -414,7 +415,7 @@ proptest! {
 /// them bends outwards for n < 6 and inwards for n > 6.
 #[test]
 fn where_the_characteristic_map_leaves_the_limit_facets() {
-    use subcert::predict::inside::stays_inside;
+    use subcert::predict::eigen::inside::stays_inside;
     use subcert::refine::{enclose_limits, enclose_refined};
     let scheme = Scheme::Loop(WEIGHTS);
     for n in [3, 4, 5, 7, 8, 12, 20] {

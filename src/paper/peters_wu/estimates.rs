@@ -8,9 +8,9 @@ use crate::bound::Against;
 use crate::paper::words::{claim, every, if_true, ranges};
 use crate::paper::{Claim, Enclosure, Verdict};
 use crate::predict::Estimator;
-use crate::predict::inside::stays_inside;
-use crate::predict::kernel::{Kernel, ModeWeights, decayed};
-use crate::predict::table;
+use crate::predict::eigen::inside::stays_inside;
+use crate::predict::eigen::kernel::{Kernel, ModeWeights, decayed};
+use crate::predict::eigen::table;
 
 /// Levels for which a table is looked through.
 const LEVELS: u32 = 4;

@@ -8,7 +8,7 @@ use super::redone::WEIGHTS;
 use crate::paper::words::{claim, every};
 use crate::paper::{Claim, Enclosure, Printed, Verdict};
 use crate::predict::Estimator;
-use crate::predict::kernel::Kernel;
+use crate::predict::eigen::kernel::Kernel;
 use crate::scalar::{Field, Rational, Ring};
 
 /// Digits of ratios.

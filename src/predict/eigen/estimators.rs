@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::heuristic::displacement;
 use super::inside::stays_inside;
 use super::isolation::{NotApplicable, gather, is_extraordinary, isolated, obstacle};
 use super::kernel::{Kernel, ModeWeights, Norms, Sum, decayed};
@@ -11,6 +10,7 @@ use super::regular;
 use super::table;
 use crate::bound::Against;
 use crate::mesh::{Mesh, Point, Topology};
+use crate::predict::heuristic::displacement;
 use crate::refine::enclosure::largest_coordinate;
 use crate::refine::{Refiner, refine_topology};
 use crate::scheme::{CornerRule, LoopWeights, Scheme};
