@@ -9,9 +9,9 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use super::frame::{Frame, enclose_scaled, power_of_two, printed_above, printed_below};
 use super::model::{Against, CatmullClarkModel, DooSabinModel, LoopModel, MeshView, Model};
 use super::parametric::{Goal, MeshEnclosure, enclose_mesh};
+use crate::mesh::frame::{Frame, enclose_scaled, power_of_two, printed_above, printed_below};
 use crate::mesh::{Mesh, Point, Topology};
 use crate::patch::quad_net::CatmullClarkRules;
 use crate::patch::quarter_net::DooSabinRules;

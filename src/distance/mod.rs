@@ -15,7 +15,6 @@
 pub mod certify;
 pub mod close;
 pub mod face;
-mod frame;
 pub mod hausdorff;
 pub mod measure;
 pub mod model;

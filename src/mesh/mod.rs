@@ -1,5 +1,6 @@
 //! Meshes: topology without coordinates, points without topology, and files.
 
+pub(crate) mod frame;
 pub mod io;
 pub mod point;
 pub mod summary;

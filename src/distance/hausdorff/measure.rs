@@ -13,12 +13,12 @@ use super::search::{Closeness, Enclosure};
 use super::sides::{Placed, Progress, Scene, Sides};
 use super::surface::surface_slack;
 use super::{Facets, Goal, HOLDERS, HausdorffError, Holder, Measurement, Request, Side, Witness};
-use crate::distance::frame::{Frame, printed_above, printed_below};
 use crate::distance::measure::{MeasureError, check_mesh};
 use crate::distance::model::{
     Against, CatmullClarkModel, DooSabinModel, Gathered, LoopModel, MeshView,
 };
 use crate::mesh::Mesh;
+use crate::mesh::frame::{Frame, printed_above, printed_below};
 use crate::patch::quad_net::CatmullClarkRules;
 use crate::patch::quarter_net::DooSabinRules;
 use crate::patch::triangle_net::LoopRules;

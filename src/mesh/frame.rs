@@ -4,29 +4,29 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 
-use crate::mesh::{Mesh, NONE, Point};
+use super::{Mesh, NONE, Point};
 use crate::scalar::float::UNIT_ROUNDOFF;
 use crate::scalar::{Interval, Rational};
 
 /// A change of unit and origin that `f64` can undo.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     /// Coordinates are divided by 2^exponent.
-    pub(super) exponent: i32,
+    pub(crate) exponent: i32,
     /// Subtracted after that.
-    pub(super) origin: [f64; 3],
+    pub(crate) origin: [f64; 3],
     /// Largest coordinate in the frame.
-    pub(super) size: f64,
+    pub(crate) size: f64,
 }
 
 impl Frame {
     /// The frame of the vertices that have a face.
-    pub(super) fn of(mesh: &Mesh, moves: bool) -> Self {
+    pub(crate) fn of(mesh: &Mesh, moves: bool) -> Self {
         Self::covering(&[mesh], moves)
     }
 
     /// The least and largest coordinates of the vertices that have a face.
-    pub(super) fn corners(meshes: &[&Mesh]) -> ([f64; 3], [f64; 3]) {
+    pub(crate) fn corners(meshes: &[&Mesh]) -> ([f64; 3], [f64; 3]) {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for mesh in meshes {
             for (vertex, p) in (0..).zip(&mesh.positions) {
@@ -43,7 +43,7 @@ impl Frame {
     }
 
     /// One frame for several meshes.
-    pub(super) fn covering(meshes: &[&Mesh], moves: bool) -> Self {
+    pub(crate) fn covering(meshes: &[&Mesh], moves: bool) -> Self {
         let (low, high) = Self::corners(meshes);
         let largest = (0..3)
             .map(|i| low[i].abs().max(high[i].abs()))
@@ -69,7 +69,7 @@ impl Frame {
 
     /// The positions in the frame, and the bound on their error per coordinate: one rounding of the
     /// difference. Underflow of the scaling is covered by [`crate::patch::rounding::TINY`].
-    pub(super) fn enter(&self, positions: &[Point<f64>]) -> (Vec<Point<f64>>, f64) {
+    pub(crate) fn enter(&self, positions: &[Point<f64>]) -> (Vec<Point<f64>>, f64) {
         let moved = self.origin != [0.0; 3];
         let place = |p: &Point<f64>| {
             let scaled = p.0.map(|x| scale(x, -self.exponent));
@@ -84,16 +84,16 @@ impl Frame {
     }
 
     /// A coordinate in the frame's unit, where it is not moved.
-    pub(super) fn shrink(&self, x: f64) -> f64 {
+    pub(crate) fn shrink(&self, x: f64) -> f64 {
         scale(x, -self.exponent)
     }
 
-    pub(super) fn leave(&self, p: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn leave(&self, p: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|i| scale(p[i] + self.origin[i], self.exponent))
     }
 
     /// Lengths in the mesh's unit, outward where scaling back underflows.
-    pub(super) fn lengths(&self, [lo, hi]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn lengths(&self, [lo, hi]: [f64; 2]) -> [f64; 2] {
         let (low, high) = (scale(lo, self.exponent), scale(hi, self.exponent));
         let exact = |length: f64, scaled: f64| scale(scaled, -self.exponent) == length;
         [
@@ -132,7 +132,7 @@ fn exponent(x: f64) -> i32 {
 }
 
 /// `2^k`, exactly.
-pub(super) fn power_of_two(k: i32) -> Rational {
+pub(crate) fn power_of_two(k: i32) -> Rational {
     let power = BigInt::from(1) << k.unsigned_abs();
     if k >= 0 {
         Rational::from_integer(power)
@@ -142,7 +142,7 @@ pub(super) fn power_of_two(k: i32) -> Rational {
 }
 
 /// An enclosure of `x 2^k`: a point unless it underflows.
-pub(super) fn enclose_scaled(x: f64, k: i32) -> Interval {
+pub(crate) fn enclose_scaled(x: f64, k: i32) -> Interval {
     let scaled = scale(x, k);
     if scale(scaled, -k) == x {
         Interval::point(scaled)
@@ -154,7 +154,7 @@ pub(super) fn enclose_scaled(x: f64, k: i32) -> Interval {
 /// The largest `f64` up to `x` that prints (shortest decimal that reads back) as a decimal not above
 /// `x`: what people read is a bound too. The shortest decimal is within half a step of its number, so
 /// one step down is enough.
-pub(super) fn printed_below(x: f64) -> f64 {
+pub(crate) fn printed_below(x: f64) -> f64 {
     if printed_side(x).is_gt() {
         x.next_down().max(0.0)
     } else {
@@ -163,7 +163,7 @@ pub(super) fn printed_below(x: f64) -> f64 {
 }
 
 /// As [`printed_below`], upward.
-pub(super) fn printed_above(x: f64) -> f64 {
+pub(crate) fn printed_above(x: f64) -> f64 {
     if printed_side(x).is_lt() {
         x.next_up()
     } else {

@@ -1,0 +1,190 @@
+//! Catmull-Clark: second differences across edges in flat arrays.
+//!
+//! For an edge (a, x) of two quads (a, x, d, y) and (x, a, y', d') the differences across it are 2x - d - d' and
+//! 2a - y - y'. Those of the edges that meet a corner of a quad, in quads, are the second differences of its
+//! local net (CY's second-order norm): M is the largest at its four corners.
+//!
+//! *Boundary.* The ghosts 2b - a continue a star at a regular boundary vertex b (two quads); its only new
+//! differences are those of the ghost row, 2ρ - σ for the differences ρ = 2b - b_- - b_+ and σ = 2a - a_- - a_+ across
+//! its inner edge (b, a). Irregular boundary vertices add δ = 2b - b_- - b_+.
+//!
+//! *Ready* is a quad all of whose corners see quads only, with one irregular corner at most. Other faces
+//! wait for their children: a step makes quads, another one parts extraordinary vertices.
+//!
+//! **Roundings.** As in [`super::triangles`].
+
+use super::levels::{Kinds, Visit};
+use super::star::Vertex;
+use super::triangles::delta;
+use crate::mesh::{NONE, Point, Topology};
+
+/// The squares behind M of the quads of one level, and how far faces that wait move in the next step.
+#[derive(Clone, Debug)]
+pub struct Quads {
+    /// The largest square at each vertex.
+    vertex: Vec<f64>,
+    /// The kind of each vertex; [`MIXED`] where a face is no quad.
+    kinds: Vec<u16>,
+}
+
+/// Not every face at the vertex is a quad.
+const MIXED: u16 = u16::MAX;
+
+impl Quads {
+    /// The squares of a level.
+    pub fn new(
+        topology: &Topology,
+        positions: &[Point<f64>],
+        kinds: &Kinds,
+        mut of_vertex: Vec<u16>,
+    ) -> Self {
+        let mut vertex = vec![0.0_f64; topology.vertex_count() as usize];
+        let mut put = |v: u32, square: f64| {
+            let slot = &mut vertex[v as usize];
+            *slot = slot.max(square);
+        };
+        for e in 0..topology.edge_count() {
+            let [h, twin] = topology.edge_halfedges(e);
+            let is_quad = |h| topology.face_size(topology.face_of(h)) == 4;
+            if twin == NONE || !is_quad(h) || !is_quad(twin) {
+                continue;
+            }
+            let [at_a, at_x] = across(topology, positions, h, twin);
+            let largest = square(&at_a).max(square(&at_x));
+            let [a, x] = [topology.origin(h), topology.target(h)];
+            put(a, largest);
+            put(x, largest);
+            // The ghost row of a regular boundary vertex: 2ρ - σ.
+            for (v, rho, sigma) in [(a, at_a, at_x), (x, at_x, at_a)] {
+                if topology.is_boundary_vertex(v) && of_vertex[v as usize] == 0 {
+                    let ghost = [0, 1, 2].map(|i| 2.0 * rho[i] - sigma[i]);
+                    put(v, square(&ghost));
+                }
+            }
+        }
+        if !topology.is_closed() {
+            for (v, &kind) in (0..).zip(&of_vertex) {
+                if matches!(kinds.list[usize::from(kind)], Vertex::Boundary(_)) {
+                    put(v, square(&delta(topology, positions, v)));
+                }
+            }
+        }
+        if topology.arity() != Some(4) {
+            for f in (0..topology.face_count()).filter(|&f| topology.face_size(f) != 4) {
+                for &v in topology.corners(f) {
+                    of_vertex[v as usize] = MIXED;
+                }
+            }
+        }
+        Quads {
+            vertex,
+            kinds: of_vertex,
+        }
+    }
+
+    /// The kind of the irregular corner and M^2 of a ready face; `None` if it has to wait.
+    #[inline]
+    fn ready(&self, corners: &[u32]) -> Option<(u16, f64)> {
+        if corners.len() != 4 {
+            return None;
+        }
+        let (mut kind, mut square) = (0, 0.0_f64);
+        for &v in corners {
+            let own = self.kinds[v as usize];
+            if own == MIXED || own != 0 && kind != 0 {
+                return None;
+            }
+            kind = kind.max(own);
+            square = square.max(self.vertex[v as usize]);
+        }
+        Some((kind, square))
+    }
+
+    /// Whether all faces are ready.
+    pub fn all_ready(&self, topology: &Topology) -> bool {
+        let mut faces = 0..topology.face_count();
+        faces.all(|f| self.ready(topology.corners(f)).is_some())
+    }
+}
+
+/// The levels from the first on, until all faces are ready.
+#[derive(Clone, Debug)]
+pub struct QuadLevels {
+    /// The number of the first level.
+    pub first: usize,
+    /// Connectivity and squares.
+    pub levels: Vec<(Topology, Quads)>,
+    /// Squares of how far each face of a level moves, for all but the last.
+    pub moved: Vec<Vec<f64>>,
+}
+
+impl QuadLevels {
+    /// The ready faces of a face of the first level.
+    pub fn visit(&self, face: u32, to: &mut impl Visit) {
+        self.descend(0, face, to);
+    }
+
+    fn descend(&self, index: usize, face: u32, to: &mut impl Visit) {
+        let (topology, quads) = &self.levels[index];
+        let level = self.first + index;
+        match quads.ready(topology.corners(face)) {
+            Some((kind, square)) => to.ready(level, kind, square),
+            None => {
+                // The children of a face are numbered by its corners.
+                to.moved(level, self.moved[index][face as usize]);
+                for h in topology.halfedges(face) {
+                    self.descend(index + 1, h, to);
+                }
+            }
+        }
+    }
+}
+
+/// For each face the square of the largest distance between a level's mesh and the next one's over it: at
+/// vertices, at the middles of edges and at centroids, both bilinear between.
+pub fn moves(topology: &Topology, coarse: &[Point<f64>], fine: &[Point<f64>]) -> Vec<f64> {
+    let (vertices, edges) = (topology.vertex_count(), topology.edge_count());
+    let distance = |a: &[f64; 3], b: &[f64; 3]| square(&[0, 1, 2].map(|i| a[i] - b[i]));
+    let middle = |a: &[f64; 3], b: &[f64; 3]| [0, 1, 2].map(|i| 0.5 * a[i] + 0.5 * b[i]);
+    let of_face = |f: u32| {
+        let corners = topology.corners(f);
+        let size = corners.len() as f64;
+        let mut centroid = [0.0; 3];
+        let mut largest = 0.0_f64;
+        for h in topology.halfedges(f) {
+            let [v, x] = [topology.origin(h), topology.target(h)];
+            let [p, q] = [v, x].map(|v| &coarse[v as usize].0);
+            let edge = (vertices + topology.edge_of(h)) as usize;
+            largest = largest.max(distance(p, &fine[v as usize].0));
+            largest = largest.max(distance(&middle(p, q), &fine[edge].0));
+            for i in 0..3 {
+                centroid[i] += p[i] / size;
+            }
+        }
+        largest.max(distance(
+            &centroid,
+            &fine[(vertices + edges + f) as usize].0,
+        ))
+    };
+    (0..topology.face_count()).map(of_face).collect()
+}
+
+/// The differences across an edge (a, x) of two quads: at a and at x.
+#[inline]
+fn across(topology: &Topology, positions: &[Point<f64>], h: u32, twin: u32) -> [[f64; 3]; 2] {
+    let at = |v: u32| &positions[v as usize].0;
+    let beyond = |h: u32| {
+        let next = topology.next(h);
+        [topology.target(next), topology.target(topology.next(next))].map(at)
+    };
+    let [a, x] = [topology.origin(h), topology.target(h)].map(at);
+    let ([d, y], [y_twin, d_twin]) = (beyond(h), beyond(twin));
+    let second =
+        |p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]| [0, 1, 2].map(|i| (p[i] - q[i]) + (p[i] - r[i]));
+    [second(a, y, y_twin), second(x, d, d_twin)]
+}
+
+#[inline]
+fn square(x: &[f64; 3]) -> f64 {
+    x[0] * x[0] + x[1] * x[1] + x[2] * x[2]
+}

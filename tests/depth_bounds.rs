@@ -1,0 +1,190 @@
+//! The bounds of `predict::differences` against certified distances: never below, on any mesh.
+
+use proptest::prelude::*;
+use subcert::bound::Against as Constants;
+use subcert::distance::measure::{Request as Measured, measure};
+use subcert::distance::model::Against;
+use subcert::distance::parametric::Goal;
+use subcert::mesh::{Mesh, Point, Topology, io};
+use subcert::predict::differences::{Bounds, Request};
+use subcert::scheme::{CornerRule, LoopWeights, Scheme};
+
+const SCHEMES: [Scheme; 4] = [
+    Scheme::Loop(LoopWeights::Original),
+    Scheme::Loop(LoopWeights::Warren),
+    Scheme::CatmullClark,
+    Scheme::DooSabin,
+];
+
+/// A certified lower bound of the distance at a level.
+fn least(mesh: &Mesh, request: &Request, level: u32) -> Option<f64> {
+    let measured = Measured {
+        scheme: request.scheme,
+        corner: request.corner,
+        level,
+        against: match request.against {
+            Constants::Control => Against::Control,
+            Constants::Limit => Against::Limit,
+        },
+        goal: Goal {
+            gap: 0.05,
+            ..Goal::default()
+        },
+    };
+    measure(mesh, &measured, &|_, _| ())
+        .ok()
+        .map(|found| found.lo)
+}
+
+/// No bound is below the distance at the levels given; whether the scheme applies.
+fn check(mesh: &Mesh, request: &Request, levels: u32, name: &str) -> bool {
+    let Ok(bounds) = Bounds::new(mesh, request) else {
+        return false;
+    };
+    for level in 0..=levels {
+        let Some(lo) = least(mesh, request, level) else {
+            return false;
+        };
+        let bound = bounds.at(level);
+        assert!(
+            bound >= lo,
+            "{name}, {request:?}, level {level}: {bound} < {lo}"
+        );
+        let faces = bounds.face_bounds(level);
+        let largest = faces.into_iter().fold(0.0, f64::max);
+        // A face takes the best of its own stages: at most the mesh's bound.
+        assert!(
+            largest >= lo,
+            "{name}, {request:?}, level {level}: faces {largest} < {lo}"
+        );
+        assert!(largest <= bound * 1.000_001 || request.scheme == Scheme::DooSabin);
+    }
+    true
+}
+
+fn requests(scheme: Scheme) -> impl Iterator<Item = Request> {
+    let against = [Constants::Control, Constants::Limit];
+    let corners = [CornerRule::Smooth, CornerRule::Sharp];
+    let all = against.into_iter().flat_map(move |against| {
+        corners.into_iter().flat_map(move |corner| {
+            (0..=2).map(move |local_steps| Request {
+                scheme,
+                corner,
+                against,
+                local_steps,
+            })
+        })
+    });
+    // Doo-Sabin has no boundary rule, and no constants for limit meshes.
+    all.filter(move |r| {
+        scheme != Scheme::DooSabin
+            || r.corner == CornerRule::Smooth && r.against == Constants::Control
+    })
+}
+
+#[test]
+fn bounds_of_sample_meshes_are_not_below_certified_distances() {
+    let mut checked = 0;
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/meshes");
+    for entry in std::fs::read_dir(folder).expect("the sample meshes") {
+        let path = entry.expect("a file").path();
+        let Ok(loaded) = io::read(&path) else {
+            continue;
+        };
+        if loaded.mesh.topology.face_count() > 600 {
+            continue;
+        }
+        for scheme in SCHEMES {
+            for request in requests(scheme) {
+                let name = path.display().to_string();
+                checked += u32::from(check(&loaded.mesh, &request, 2, &name));
+            }
+        }
+    }
+    assert!(checked > 100, "{checked}");
+}
+
+/// A disc of triangles round a vertex of valence n, or half a disc of m triangles at a boundary vertex, with a
+/// second ring where faces are to be regular, and random or extreme coordinates.
+fn fan(n: usize, open: bool, quads: bool) -> (Vec<u32>, Vec<u32>, usize) {
+    // The vertices: 0; ring i: 1 + i; outer ring.
+    let sectors = n;
+    let ring = if open { n + 1 } else { n };
+    let (mut start, mut corners) = (vec![0u32], Vec::new());
+    let mut face = |face: &[usize]| {
+        corners.extend(face.iter().map(|&v| v as u32));
+        start.push(corners.len() as u32);
+    };
+    let x = |i: usize| 1 + i % ring;
+    if quads {
+        // Quads (0, x_i, d_i, x_(i+1)), and a second ring of quads round them.
+        let d = |i: usize| 1 + ring + i % sectors;
+        for i in 0..sectors {
+            face(&[0, x(i), d(i), x(i + 1)]);
+        }
+        let outer = 1 + ring + sectors;
+        // Round the rim: x_0, d_0, x_1, d_1, ..
+        let rim: Vec<usize> = (0..sectors).flat_map(|i| [x(i), d(i)]).collect();
+        let mut rim = rim;
+        if open {
+            rim.push(x(sectors));
+        }
+        let steps = if open { rim.len() - 1 } else { rim.len() };
+        for i in 0..steps {
+            let j = (i + 1) % rim.len();
+            face(&[rim[i], outer + i, outer + j, rim[j]]);
+        }
+        return (start, corners, outer + rim.len());
+    }
+    for i in 0..sectors {
+        face(&[0, x(i), x(i + 1)]);
+    }
+    let outer = 1 + ring;
+    let steps = if open { ring - 1 } else { ring };
+    for i in 0..steps {
+        let j = (i + 1) % ring;
+        face(&[1 + i, outer + i, 1 + j]);
+        face(&[1 + j, outer + i, outer + j]);
+    }
+    (start, corners, outer + ring)
+}
+
+fn nets() -> impl Strategy<Value = (Mesh, bool)> {
+    let shape = (3usize..13, any::<bool>(), any::<bool>(), any::<bool>());
+    shape.prop_flat_map(|(n, open, quads, extreme)| {
+        let n = if open { n - 2 } else { n };
+        let (start, corners, count) = fan(n, open, quads);
+        let coordinate = match extreme {
+            // Signs alone: nets as of the programs' duals.
+            true => prop_oneof![Just(-1.0), Just(0.0), Just(1.0)].boxed(),
+            false => (-1.0..1.0).boxed(),
+        };
+        let points =
+            prop::collection::vec([coordinate.clone(), coordinate.clone(), coordinate], count);
+        points.prop_map(move |points| {
+            let topology = Topology::from_polygons(count, start.clone(), corners.clone());
+            let mesh = Mesh {
+                topology: topology.expect("a disc"),
+                positions: points.into_iter().map(Point).collect(),
+            };
+            (mesh, quads)
+        })
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn bounds_of_random_nets_are_not_below_certified_distances((mesh, quads) in nets(), steps in 0u32..3, limit: bool, sharp: bool, which in 0usize..2) {
+        let request = Request {
+            scheme: if quads { SCHEMES[2 + which] } else { SCHEMES[which] },
+            corner: if sharp && which == 0 { CornerRule::Sharp } else { CornerRule::Smooth },
+            against: if limit { Constants::Limit } else { Constants::Control },
+            local_steps: steps,
+        };
+        if request.scheme != Scheme::DooSabin || !limit {
+            check(&mesh, &request, 2, "random");
+        }
+    }
+}
