@@ -37,7 +37,9 @@ pub(super) fn depth(context: &Context<'_>) -> Result<Found, NoDepth> {
                 depth,
                 bound,
                 safe: false,
-                why: format!("vertices need not be the points farthest from the mesh: {COUNTEREXAMPLE}"),
+                why: format!(
+                    "vertices need not be the points farthest from the mesh: {COUNTEREXAMPLE}"
+                ),
             });
         }
         vertices.step();
@@ -164,7 +166,10 @@ fn star(topology: &Topology, positions: &[Point<f64>], vertex: u32) -> [[f64; 3]
     let mut sums = [[0.0; 3]; 2];
     for h in topology.fan(vertex) {
         let next = topology.next(h);
-        for (sum, p) in sums.iter_mut().zip([at(topology.target(h)), at(topology.target(next))]) {
+        for (sum, p) in sums
+            .iter_mut()
+            .zip([at(topology.target(h)), at(topology.target(next))])
+        {
             *sum = combine([1.0, 1.0 / n, 0.0], [*sum, p, p]);
         }
     }
@@ -199,7 +204,10 @@ mod tests {
         let mut followed = Followed::new(mesh, scheme, CornerRule::Smooth).unwrap();
         for m in 0..4 {
             let (a, b) = (followed.largest(), by_refinement(mesh, scheme, m));
-            assert!((a - b).abs() <= 1e-12 * b.max(1e-3), "{scheme:?}, {m}: {a} {b}");
+            assert!(
+                (a - b).abs() <= 1e-12 * b.max(1e-3),
+                "{scheme:?}, {m}: {a} {b}"
+            );
             followed.step();
         }
     }
@@ -215,7 +223,11 @@ mod tests {
             agree(&example("valences_3_to_12.obj"), Scheme::Loop(weights));
             agree(&example("loop_saddle_grid.obj"), Scheme::Loop(weights));
         }
-        for name in ["block_with_handle.obj", "mixed_patch.obj", "valences_3_to_12.obj"] {
+        for name in [
+            "block_with_handle.obj",
+            "mixed_patch.obj",
+            "valences_3_to_12.obj",
+        ] {
             agree(&example(name), Scheme::CatmullClark);
         }
     }
@@ -224,7 +236,8 @@ mod tests {
     /// v_inf = (3 + 4/3 - 1/3) / 8 v = v / 2, so the distance is √3 / 2.
     #[test]
     fn a_cube() {
-        let text = b"v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
+        let text =
+            b"v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
             f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
         let mesh = parse(text, Format::Obj, "cube").unwrap().mesh;
         let followed = Followed::new(&mesh, Scheme::CatmullClark, CornerRule::Smooth).unwrap();

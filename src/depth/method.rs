@@ -187,7 +187,9 @@ mod tests {
                     let candidates = Method::candidates(&request);
                     assert!(candidates.contains(&Method::Differences(0)));
                     assert!(!candidates.contains(&Method::Heuristic));
-                    let tabulated = candidates.iter().any(|m| matches!(m, Method::Tabulated(..)));
+                    let tabulated = candidates
+                        .iter()
+                        .any(|m| matches!(m, Method::Tabulated(..)));
                     let expected = metric == Metric::SurfaceToMesh && scheme.weights().is_some();
                     assert_eq!(tabulated, expected, "{request:?}");
                 }

@@ -20,7 +20,7 @@ use crate::paper::cheng_yong::printed::{EQ_23_FACTOR, QUARTER, THIRD, delta};
 use crate::scalar::{Field, Rational};
 
 /// The verdict on Theorem 9 was computed for valences up to this one, from 3.
-pub const JUDGED: u32 = 50;
+pub const JUDGED: u32 = 20;
 
 pub(in crate::depth) fn depth(context: &Context<'_>) -> Result<Found, NoDepth> {
     let norms = context.norms()?;
@@ -57,7 +57,10 @@ fn extraordinary<'a>(n: u32, norm: &'a Norm, tolerance: &Rational) -> Result<Nee
     }
     let depth = theorem_9(n, &norm.first, &norm.second, tolerance);
     let depth = at_least_0(Some(depth.ok_or_else(not_printed)?));
-    let (w, delta) = (w(n).ok_or_else(not_printed)?, delta(n).ok_or_else(not_printed)?);
+    let (w, delta) = (
+        w(n).ok_or_else(not_printed)?,
+        delta(n).ok_or_else(not_printed)?,
+    );
     let levels = at_least_0(n_epsilon(n, &norm.first, tolerance));
     let bound = move |k: u32| {
         let (p, q) = EQ_23_FACTOR;

@@ -140,6 +140,9 @@ mod tests {
         let m = norm(10_000);
         let constants = Constants::of(6, Against::Control).unwrap();
         let needed = needed(constants, &m, &Rational::ratio(1, 1));
-        assert_eq!((needed.depth, (needed.bound)(7)), (7, Rational::ratio(5000, 16384)));
+        assert_eq!(
+            (needed.depth, (needed.bound)(7)),
+            (7, Rational::ratio(5000, 16384))
+        );
     }
 }

@@ -46,7 +46,9 @@ fn quads(
         let m_0 = &norm.second;
         Ok(Needed {
             depth: corollary(m_0, &tolerance),
-            bound: Box::new(move |k| m_0 * Rational::ratio(1, part) * power(&Rational::ratio(1, 4), k)),
+            bound: Box::new(move |k| {
+                m_0 * Rational::ratio(1, part) * power(&Rational::ratio(1, 4), k)
+            }),
         })
     })
 }
@@ -64,7 +66,11 @@ fn triangles(context: &Context<'_>, weights: LoopWeights) -> Result<Found, NoDep
     let n = valences.fold(6, u32::max);
     let enclosed = loop_scheme::ring_weight_sum::<Interval>(weights, n);
     // Rounded upwards: never fewer steps than printed.
-    let rate = enclosed.and_then(|sum| (Interval::from_rational(&Rational::ratio(5, 8)) - &sum).sup().into());
+    let rate = enclosed.and_then(|sum| {
+        (Interval::from_rational(&Rational::ratio(5, 8)) - &sum)
+            .sup()
+            .into()
+    });
     let found = || {
         let exact = |x: f64| Some(Enclosure::exactly(Rational::from_float(x)?));
         let (m, rate) = (exact(m_0)?, exact(rate?)?);

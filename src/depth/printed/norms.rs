@@ -226,9 +226,16 @@ mod tests {
         (net[far + 5], net[far + 6]) = (beside_5, beside_4);
         // The corner faces: of V5 holds 2N+2, of V6 2N+5, of V4 2N+8.
         let corner = |vertex: u32, known: u32| {
-            let fan = topology.fan(vertex).map(|h| topology.target(topology.next(h)));
+            let fan = topology
+                .fan(vertex)
+                .map(|h| topology.target(topology.next(h)));
             let places: Vec<u32> = fan.collect();
-            places[(places.iter().position(|&w| w == known).expect("in the ring") + 2) % 4]
+            places[(places
+                .iter()
+                .position(|&w| w == known)
+                .expect("in the ring")
+                + 2)
+                % 4]
         };
         net[far + 1] = corner(net[4], v1);
         net[far + 4] = corner(net[5], net[3]);
@@ -257,16 +264,23 @@ mod tests {
         let scheme = Scheme::CatmullClark;
         for (name, steps) in [("block_with_handle.obj", 1), ("bumpy_torus_quads.obj", 0)] {
             let mesh = example(name);
-            let fine = crate::refine::refine::<f64>(scheme, CornerRule::Smooth, &mesh, steps).unwrap();
+            let fine =
+                crate::refine::refine::<f64>(scheme, CornerRule::Smooth, &mesh, steps).unwrap();
             assert!(is_separated(scheme, &fine.topology), "{name}");
             let [first, second] = of_corners(&fine.topology, &fine.positions, 0.0);
             for face in 0..fine.topology.face_count() {
                 let (n, net) = stam_net(&fine.topology, face);
-                let net: Vec<_> = net.iter().map(|&v| exact(&fine.positions[v as usize])).collect();
+                let net: Vec<_> = net
+                    .iter()
+                    .map(|&v| exact(&fine.positions[v as usize]))
+                    .collect();
                 let g = largest(&catmull_clark::first_differences(n), &net);
                 let z = largest(&catmull_clark::second_differences(n), &net);
                 for (bound, norm) in [(first[face as usize], g), (second[face as usize], z)] {
-                    assert!(bound >= norm && bound <= norm * (1.0 + 1e-12) + 1e-12, "{name} {face}");
+                    assert!(
+                        bound >= norm && bound <= norm * (1.0 + 1e-12) + 1e-12,
+                        "{name} {face}"
+                    );
                 }
             }
         }
@@ -282,7 +296,9 @@ mod tests {
         let m = second_differences(topology, &fine.positions, 0.0);
         for face in 0..topology.face_count() {
             let all = topology.halfedges(face);
-            let h = all.clone().find(|&h| topology.valence(topology.origin(h)) != 6);
+            let h = all
+                .clone()
+                .find(|&h| topology.valence(topology.origin(h)) != 6);
             let Some(h) = h.filter(|_| topology.is_closed()) else {
                 continue;
             };
@@ -313,10 +329,16 @@ mod tests {
             (net[n + 1], net[n + 2], net[n + 3]) = (two[2], two[3], two[4]);
             let last = around(net[n], p1, net[1]);
             (net[n + 4], net[n + 5]) = (last[3], last[4]);
-            let net: Vec<_> = net.iter().map(|&v| exact(&fine.positions[v as usize])).collect();
+            let net: Vec<_> = net
+                .iter()
+                .map(|&v| exact(&fine.positions[v as usize]))
+                .collect();
             let norm = largest(&loop_scheme::second_differences(n as u32), &net);
             let bound = m[face as usize];
-            assert!(bound >= norm && bound <= norm * (1.0 + 1e-12) + 1e-12, "{face}");
+            assert!(
+                bound >= norm && bound <= norm * (1.0 + 1e-12) + 1e-12,
+                "{face}"
+            );
         }
     }
 }
