@@ -40,6 +40,7 @@
 pub mod bernstein;
 pub mod bound;
 pub mod certificate;
+pub mod depth;
 pub mod distance;
 pub mod linalg;
 pub mod lp;

@@ -17,6 +17,7 @@ pub mod exit;
 mod hausdorff;
 mod info;
 mod measure;
+mod predict;
 mod progress;
 mod refine;
 mod reproduce;
@@ -46,6 +47,8 @@ enum Command {
     Refine(refine::Refine),
     /// Enclose the distance between the subdivision surface and its control or limit mesh
     Measure(measure::Measure),
+    /// How many steps bring surface and mesh within a tolerance, by every method, without refining
+    Predict(predict::Predict),
     /// Enclose bound constants, distance over the largest second difference, with certificates
     Bound(bound::Bound),
     /// Eigenvalues of a scheme at a vertex, and whether its characteristic map is injective
@@ -115,6 +118,15 @@ impl From<AgainstName> for Against {
         match name {
             AgainstName::Control => Against::Control,
             AgainstName::Limit => Against::Limit,
+        }
+    }
+}
+
+impl From<AgainstName> for subcert::bound::Against {
+    fn from(name: AgainstName) -> Self {
+        match name {
+            AgainstName::Control => subcert::bound::Against::Control,
+            AgainstName::Limit => subcert::bound::Against::Limit,
         }
     }
 }
@@ -232,6 +244,7 @@ pub fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
         Command::Info(info) => info.run(),
         Command::Refine(refine) => refine.run(),
         Command::Measure(measure) => measure.run(),
+        Command::Predict(predict) => predict.run(),
         Command::Bound(bound) => bound.run(),
         Command::Spectrum(spectrum) => spectrum.run(),
         Command::Reproduce(reproduce) => reproduce.run(),

@@ -1,5 +1,6 @@
-//! The enclosure of every face: CSV for programs, PLY for eyes.
+//! A value of every face, an enclosure or a depth: CSV for programs, PLY for eyes.
 
+use std::io::Write;
 use std::path::Path;
 
 use crate::distance::measure::Request;
@@ -25,9 +26,9 @@ pub enum FacesError {
 /// A kind of per-face file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// `face,lo,hi`, faces from 0; empty fields where a face has no surface.
+    /// `face,lo,hi`, faces from 0; empty fields where a face has no surface. With depths `face,depth`.
     Csv,
-    /// The measured mesh with face properties `distance_lo`, `distance_hi` and `quality` (the same as
+    /// The measured mesh (for depths: the mesh itself, with `depth`) with face properties `distance_lo`, `distance_hi` and `quality` (the same as
     /// `distance_hi`, under the name that MeshLab looks for; -1 where a face has no surface), face
     /// colours, and vertex colours (the largest `hi` round the vertex) for programs without face
     /// colours.
@@ -64,15 +65,8 @@ pub fn write(
     request: &Request,
 ) -> Result<(), FacesError> {
     match Format::of_path(path)? {
-        Format::Csv => io::write_file(path, |out| {
-            writeln!(out, "face,lo,hi")?;
-            for (face, value) in values.iter().enumerate() {
-                match value {
-                    Some([lo, hi]) => writeln!(out, "{face},{lo:?},{hi:?}")?,
-                    None => writeln!(out, "{face},,")?,
-                }
-            }
-            Ok(())
+        Format::Csv => write_csv(path, "lo,hi", ",", values, &|out, [lo, hi]| {
+            write!(out, "{lo:?},{hi:?}")
         })?,
         Format::Ply => {
             let mut level = refine(request.scheme, request.corner, mesh, request.level)?;
@@ -84,30 +78,86 @@ pub fn write(
                 level.positions =
                     limit_positions::<f64, _>(request.scheme, request.corner, topology, positions)?;
             }
-            write_ply(path, &level, values)?;
+            let side = |i: usize| -> Vec<f64> {
+                values.iter().map(|v| v.map_or(-1.0, |v| v[i])).collect()
+            };
+            let (lo, hi) = (side(0), side(1));
+            let comment =
+                "distance_lo and distance_hi enclose the parametric distance over each face";
+            let numbers: [(&str, &[f64]); 2] = [("distance_lo", &lo), ("distance_hi", &hi)];
+            write_ply(path, &level, comment, &numbers, &hi)?;
         }
     }
     Ok(())
 }
 
-fn write_ply(path: &Path, mesh: &Mesh, values: &[Option<[f64; 2]>]) -> Result<(), MeshError> {
-    let side = |i: usize| -> Vec<f64> { values.iter().map(|v| v.map_or(-1.0, |v| v[i])).collect() };
-    let (lo, hi) = (side(0), side(1));
-    let largest = hi.iter().copied().fold(0.0, f64::max);
-    let face_colors = colors(&hi, largest);
+/// Writes the number of steps that each face asks for: `face,depth`, or the face properties `depth` and
+/// `quality`; an empty field or -1 where there is none.
+///
+/// # Errors
+/// If and only if the extension is unknown or the file can't be written.
+pub fn write_depths(path: &Path, mesh: &Mesh, depths: &[Option<u32>]) -> Result<(), FacesError> {
+    match Format::of_path(path)? {
+        Format::Csv => write_csv(path, "depth", "", depths, &|out, depth| {
+            write!(out, "{depth}")
+        })?,
+        Format::Ply => {
+            let number = |depth: &Option<u32>| depth.map_or(-1.0, f64::from);
+            let numbers: Vec<f64> = depths.iter().map(number).collect();
+            let comment = "depth is the number of subdivision steps that the face asks for";
+            write_ply(path, mesh, comment, &[("depth", &numbers)], &numbers)?;
+        }
+    }
+    Ok(())
+}
+
+/// `face,HEADS`, then a row for each face; `absent` where it has no value.
+fn write_csv<T>(
+    path: &Path,
+    heads: &str,
+    absent: &str,
+    values: &[Option<T>],
+    cells: &dyn Fn(&mut dyn Write, &T) -> std::io::Result<()>,
+) -> Result<(), MeshError> {
+    io::write_file(path, |out| {
+        writeln!(out, "face,{heads}")?;
+        for (face, value) in values.iter().enumerate() {
+            write!(out, "{face},")?;
+            match value {
+                Some(value) => cells(out, value)?,
+                None => write!(out, "{absent}")?,
+            }
+            writeln!(out)?;
+        }
+        Ok(())
+    })
+}
+
+/// A mesh with numbers of its faces; those `shown` (negative where there are none) also as `quality` and as
+/// colours.
+fn write_ply(
+    path: &Path,
+    mesh: &Mesh,
+    comment: &str,
+    numbers: &[(&str, &[f64])],
+    shown: &[f64],
+) -> Result<(), MeshError> {
+    let largest = shown.iter().copied().fold(0.0, f64::max);
+    let face_colors = colors(shown, largest);
     let mut around = vec![-1.0_f64; mesh.positions.len()];
-    for (face, &hi) in (0..).zip(&hi) {
+    for (face, &value) in (0..).zip(shown) {
         for &vertex in mesh.topology.corners(face) {
-            around[vertex as usize] = around[vertex as usize].max(hi);
+            around[vertex as usize] = around[vertex as usize].max(value);
         }
     }
     let vertex_colors = colors(&around, largest);
-    debug_assert_eq!(Topology::face_count(&mesh.topology) as usize, values.len());
-    PlyWriter::new(mesh)
-        .comment("distance_lo and distance_hi enclose the parametric distance over each face")
-        .face_number("distance_lo", &lo)
-        .face_number("distance_hi", &hi)
-        .face_number("quality", &hi)
+    debug_assert_eq!(Topology::face_count(&mesh.topology) as usize, shown.len());
+    let writer = PlyWriter::new(mesh).comment(comment);
+    let writer = numbers.iter().fold(writer, |writer, (name, values)| {
+        writer.face_number(name, values)
+    });
+    writer
+        .face_number("quality", shown)
         .face_colors(&face_colors)
         .vertex_colors(&vertex_colors)
         .write(path)

@@ -1,6 +1,7 @@
 //! What people and programs read: text, JSON, per-face files, plots.
 
 pub mod constants;
+pub mod depth;
 pub mod faces;
 pub mod hausdorff;
 pub mod measurement;

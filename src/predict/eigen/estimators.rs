@@ -12,7 +12,7 @@ use crate::bound::Against;
 use crate::mesh::{Mesh, Point, Topology};
 use crate::predict::heuristic::displacement;
 use crate::refine::enclosure::largest_coordinate;
-use crate::refine::{Refiner, refine_topology};
+use crate::refine::{RefineError, Refiner, refine_topology};
 use crate::scheme::{CornerRule, LoopWeights, Scheme};
 
 /// An estimate of the distance between surface and level-m mesh, known before refining.
@@ -252,9 +252,7 @@ impl Prepared {
 
     /// A length here in the mesh's own unit, rounded upwards.
     fn outward(&self, x: f64) -> f64 {
-        // Two halves of a power of two that may itself be out of range.
-        let half = self.exponent / 2;
-        (x * 2f64.powi(half) * 2f64.powi(self.exponent - half)).next_up()
+        unscaled(x, self.exponent).next_up()
     }
 
     /// The estimate for the level-m mesh: the largest over its faces.
@@ -300,8 +298,14 @@ impl Prepared {
     }
 }
 
+/// `x 2^exponent`, in two halves of a power of two that may itself be out of range.
+pub(crate) fn unscaled(x: f64, exponent: i32) -> f64 {
+    let half = exponent / 2;
+    x * 2f64.powi(half) * 2f64.powi(exponent - half)
+}
+
 /// The positions over 2^exponent, of a size from 1 to 2, and a bound of what underflow takes from them.
-fn scaled(mesh: &Mesh) -> Result<(i32, Vec<Point<f64>>, f64), NotApplicable> {
+pub(crate) fn scaled(mesh: &Mesh) -> Result<(i32, Vec<Point<f64>>, f64), RefineError> {
     let largest = largest_coordinate(&mesh.positions)?;
     if largest == 0.0 {
         return Ok((0, mesh.positions.clone(), 0.0));

@@ -51,11 +51,23 @@ pub fn factor(against: Against, m: u32) -> f64 {
     })
 }
 
-/// For each face an upper bound of its M; points off by at most `radius` per coordinate, of size about 1.
+/// An upper bound of `|(P - R) + (Q - S)|`, points off by at most `radius` per coordinate, of size about 1.
 ///
-/// A second difference is `(P - R) + (Q - S)`: three roundings, relative to |P - R| + |Q - S| per coordinate.
-pub fn second_differences(topology: &Topology, positions: &[Point<f64>], radius: f64) -> Vec<f64> {
+/// Three roundings, relative to |P - R| + |Q - S| per coordinate.
+pub(crate) fn length_above([p, r]: [&[f64; 3]; 2], [q, s]: [&[f64; 3]; 2], radius: f64) -> f64 {
     const ROOT_3: f64 = 1.732_050_808;
+    let (mut square, mut size) = (0.0_f64, 0.0_f64);
+    for i in 0..3 {
+        let (a, b) = (p[i] - r[i], q[i] - s[i]);
+        square += (a + b) * (a + b);
+        size = size.max(a.abs() + b.abs());
+    }
+    let off = ROOT_3 * (gamma(4) * size + 4.000_001 * radius);
+    (square.sqrt() + off) * (1.0 + gamma(16)) + 1e-150
+}
+
+/// For each face an upper bound of its M; points off by at most `radius` per coordinate, of size about 1.
+pub fn second_differences(topology: &Topology, positions: &[Point<f64>], radius: f64) -> Vec<f64> {
     let at = |v: u32| &positions[v as usize].0;
     let mut vertex = vec![0.0_f64; topology.vertex_count() as usize];
     for edge in 0..topology.edge_count() {
@@ -66,14 +78,7 @@ pub fn second_differences(topology: &Topology, positions: &[Point<f64>], radius:
         let ends = [topology.origin(h), topology.target(h)];
         let [r, s] = [h, twin].map(|h| at(topology.target(topology.next(h))));
         let [p, q] = ends.map(at);
-        let (mut square, mut size) = (0.0_f64, 0.0_f64);
-        for i in 0..3 {
-            let (a, b) = (p[i] - r[i], q[i] - s[i]);
-            square += (a + b) * (a + b);
-            size = size.max(a.abs() + b.abs());
-        }
-        let off = ROOT_3 * (gamma(4) * size + 4.000_001 * radius);
-        let length = (square.sqrt() + off) * (1.0 + gamma(16)) + 1e-150;
+        let length = length_above([p, r], [q, s], radius);
         for v in ends {
             vertex[v as usize] = vertex[v as usize].max(length);
         }
