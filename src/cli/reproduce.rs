@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 use clap::ValueEnum;
+use subcert::depth::study::{self, Subject};
 use subcert::mesh::io;
 use subcert::paper::peters_wu::{self, meshes::StandIn};
 use subcert::paper::{Report, cheng_yong, huang_wang_2008, lanquetin_neveu_2004};
 use subcert::report::{paper, papers};
-use subcert::scheme::Scheme;
+use subcert::scheme::{LoopWeights, Scheme};
 
 use super::bound::Range;
 use super::exit::Outcome;
@@ -19,6 +20,7 @@ use super::progress::Progress;
 #[command(after_help = "Examples:\n  subcert reproduce huang-wang\n  \
         subcert reproduce cheng-yong --valence 3..12\n  \
         subcert reproduce peters-wu --mesh examples/meshes/bumpy_torus_tri.obj\n  \
+        subcert reproduce depth --mesh examples/meshes/bumpy_torus_tri.obj --out depth\n  \
         subcert reproduce all --out papers\n\n\
         Each printed number stands beside the paper's own method redone exactly and the sharp value, with\n\
         a verdict that is computed: sharp, true, loose, misprint, refuted or undecided. --out writes\n\
@@ -32,7 +34,8 @@ pub struct Reproduce {
     /// Valences to decide the claims for: 7 or 3..10 (both ends included); tables show those printed
     #[arg(long, value_name = "A..B", default_value = "3..10")]
     valence: Range,
-    /// Peters & Wu: a mesh of triangles to redo their Table 1 on, beside the stand-ins; may be repeated
+    /// Peters & Wu: a mesh of triangles to redo their Table 1 on, beside the stand-ins; depth: a mesh in
+    /// place of the stand-ins (triangles: Loop, others: Catmull-Clark and Doo-Sabin); may be repeated
     #[arg(long, value_name = "FILE")]
     mesh: Vec<PathBuf>,
     /// Write the same as Markdown, JSON, plots and certificates into this folder
@@ -53,7 +56,9 @@ enum PaperName {
     LanquetinNeveu,
     /// Peters & Wu 2009, on distances of Loop surfaces to their polyhedra
     PetersWu,
-    /// All of them
+    /// No paper: the depths that all methods ask for on meshes, beside the least by certified measurement
+    Depth,
+    /// All papers
     All,
 }
 
@@ -113,8 +118,39 @@ fn load(path: &Path) -> anyhow::Result<StandIn> {
     Ok(StandIn { name, mesh })
 }
 
+/// A mesh with the schemes that apply to it, but for Doo-Sabin where there is no interior vertex.
+fn subjects(path: &Path) -> anyhow::Result<Vec<Subject>> {
+    let mesh = io::read(path)?.mesh;
+    let name = path
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
+    let schemes = match mesh.topology.arity() {
+        Some(3) => vec![Scheme::Loop(LoopWeights::Original)],
+        _ => vec![Scheme::CatmullClark, Scheme::DooSabin],
+    };
+    let has_surface = |scheme: &Scheme| {
+        let t = &mesh.topology;
+        let interior = |v| !t.is_boundary_vertex(v) && t.valence(v) > 0;
+        *scheme != Scheme::DooSabin || (0..t.vertex_count()).any(interior)
+    };
+    let subjects = schemes
+        .into_iter()
+        .filter(has_surface)
+        .map(|scheme| Subject {
+            name: name.clone(),
+            mesh: mesh.clone(),
+            scheme,
+        });
+    Ok(subjects.collect())
+}
+
 impl Reproduce {
     pub fn run(&self) -> anyhow::Result<Outcome> {
+        if self.paper == PaperName::Depth {
+            return self.depth();
+        }
         let all = self.paper == PaperName::All;
         let asked: Vec<&Paper> = PAPERS
             .iter()
@@ -145,6 +181,30 @@ impl Reproduce {
             .map(|paper| (paper.examine)(&valences, &meshes, &tell))
             .collect::<Result<_, _>>()?;
         progress.finish();
+        self.write_folder(&reports)?;
+        self.print(&reports)?;
+        Ok(Outcome::Done)
+    }
+
+    /// The study of depths.
+    fn depth(&self) -> anyhow::Result<Outcome> {
+        let subjects = match self.mesh.is_empty() {
+            true => study::stand_ins(),
+            false => {
+                let files = self.mesh.iter().map(|path| subjects(path));
+                files.collect::<anyhow::Result<Vec<_>>>()?.concat()
+            }
+        };
+        let progress = Progress::new();
+        let mut found = Vec::new();
+        for (done, subject) in (0..).zip(&subjects) {
+            progress.units(done, subjects.len() as u32, "meshes");
+            let name = &subject.name;
+            let one = study::study(subject);
+            found.push(one.with_context(|| format!("{name} can't be studied"))?);
+        }
+        progress.finish();
+        let reports = [study::report(&found)];
         self.write_folder(&reports)?;
         self.print(&reports)?;
         Ok(Outcome::Done)

@@ -5,7 +5,11 @@ use crate::mesh::Mesh;
 use crate::predict::differences::{self, Bounds};
 use crate::refine::RefineError;
 
-fn bounds(mesh: &Mesh, request: &Request, local_steps: u32) -> Result<Bounds, RefineError> {
+fn bounds<'a>(
+    mesh: &'a Mesh,
+    request: &Request,
+    local_steps: u32,
+) -> Result<Bounds<'a>, RefineError> {
     let asked = differences::Request {
         scheme: request.scheme,
         corner: request.corner,
@@ -41,7 +45,5 @@ pub fn face_depths(
     request: &Request,
     local_steps: u32,
 ) -> Result<Vec<Option<u32>>, RefineError> {
-    let depths = bounds(mesh, request, local_steps)?.face_depths(request.tolerance);
-    let known = |depth: u32| (depth <= Bounds::DEEPEST).then_some(depth);
-    Ok(depths.into_iter().map(known).collect())
+    Ok(bounds(mesh, request, local_steps)?.face_depths(request.tolerance))
 }

@@ -7,6 +7,7 @@
 //! | [`printed`] | the formulas of the papers, on a mesh, with this program's verdict on them |
 //! | [`tabulated`] | Peters & Wu's estimators |
 //! | [`differences`] | our bounds from second differences and certified constants |
+//! | [`study`] | how tight they are: the least depth by certified measurement beside them |
 //! | [`heuristic`] | vertices and their limits, followed through the levels; bounds nothing |
 //!
 //! An [`Answer`] is *safe* if after its depth the distance is certainly at most the tolerance, in the metric
@@ -20,6 +21,7 @@ pub mod differences;
 pub mod heuristic;
 pub mod method;
 pub mod printed;
+pub mod study;
 pub mod tabulated;
 
 use std::cell::OnceCell;

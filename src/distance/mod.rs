@@ -7,7 +7,6 @@
 //! | `close` | ends the search at a smooth maximum |
 //! | `face` | the supremum over a face |
 //! | `parametric` | the supremum over a mesh, in two passes |
-//! | `frame` | a unit and an origin in which `f64` does its best |
 //! | `hausdorff` | one-sided and symmetric Hausdorff distances, to any mesh |
 //! | `certify` | certificates of Hausdorff distances of small meshes |
 //! | `measure` | from a mesh to an enclosure in its own unit |

@@ -1,6 +1,6 @@
 //! From meshes to an enclosure of their Hausdorff distance, in their own unit.
 //!
-//! Both meshes are brought into one frame ([`crate::distance::frame`]); refinement and limit positions
+//! Both meshes are brought into one frame (`mesh::frame`); refinement and limit positions
 //! carry their error bounds. With its own mesh a surface is first matched over the same parameters
 //! ([`super::own`]); what that leaves, or everything with another mesh, goes to [`super::search`].
 //! [`super::sides`] puts these together.
