@@ -12,9 +12,10 @@ use subcert::mesh::{Mesh, Point};
 use subcert::paper::peters_wu::figure_5::Saddle;
 use subcert::paper::peters_wu::{examine, meshes, printed};
 use subcert::paper::{Claim, Report, Verdict};
-use subcert::predict::eigen::kernel::{Kernel, Norms, Sum};
+use subcert::predict::eigen::beyond::Recurrence;
+use subcert::predict::eigen::kernel::{Kernel, ModeWeights, Norms, Sum};
 use subcert::predict::eigen::{isolation, table};
-use subcert::predict::{Estimator, NotApplicable, estimate};
+use subcert::predict::{Estimator, NotApplicable, Prepared, estimate};
 use subcert::scalar::{Field, Rational, Ring};
 use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 use subcert::spectrum::loop_modes::{Family, loop_modes};
@@ -441,5 +442,29 @@ fn where_the_characteristic_map_leaves_the_limit_facets() {
         let chord = [0, 1].map(|i| 0.5 * (at(1)[i] + at(2)[i]));
         let inside = middle[0].hypot(middle[1]) < chord[0].hypot(chord[1]);
         assert_eq!(stays_inside(n), Some(inside), "n = {n}");
+    }
+}
+
+fn all(weights: &ModeWeights) -> Vec<f64> {
+    let local = [weights.between, weights.ray];
+    weights.ring.iter().copied().chain(local).collect()
+}
+
+/// The recurrence from level 5 against the enclosed distances of level 6: never below them, and not far above. What
+/// the triangles of level 6 give for ring 0 is seen at n = 6, where chi is linear: there mu(6) is 4^-6/4 at
+/// frequency 2, exactly what the theorem gives.
+#[test]
+fn the_recurrence_against_the_last_level_of_the_table() {
+    for n in [3, 4, 5, 6, 7, 8, 12, 30] {
+        for against in [Against::Control, Against::Limit] {
+            let recurrence = Recurrence::new(WEIGHTS, n, against).expect("a recurrence");
+            let known = |m| table::distances(WEIGHTS, n, against, m).expect("a table");
+            let next = recurrence.next(&known(5), 5);
+            for (i, (bound, own)) in all(&next).into_iter().zip(all(&known(6))).enumerate() {
+                eprintln!("{n} {against:?} {i} {bound:e} {own:e} {}", bound / own);
+                assert!(bound >= own * (1.0 - 1e-3), "n = {n}, {against:?}, {i}: {bound} {own}");
+                assert!(bound <= own * 2.0, "n = {n}, {against:?}, {i}: {bound} {own}");
+            }
+        }
     }
 }

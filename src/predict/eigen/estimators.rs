@@ -108,6 +108,12 @@ struct Decomposed {
     extended: bool,
 }
 
+/// A level's factor of second differences and weights of modes by valence.
+struct Level {
+    factor: f64,
+    weights: BTreeMap<u32, ModeWeights>,
+}
+
 /// A mesh, locally subdivided and decomposed once for all levels and estimators.
 #[derive(Clone, Debug)]
 pub struct Prepared {
@@ -119,6 +125,8 @@ pub struct Prepared {
     kernels: BTreeMap<u32, Kernel>,
     vertices: Vec<Decomposed>,
     second_differences: Vec<f64>,
+    /// The largest second difference of the faces without an extraordinary vertex.
+    regular: f64,
 }
 
 impl Prepared {
@@ -155,7 +163,7 @@ impl Prepared {
                         valence,
                         level: 0,
                         largest: table::LARGEST,
-                        deepest: table::DEEPEST,
+                        deepest: table::LAST,
                     };
                     entry.insert(kernel.flatten().ok_or(missing)?)
                 }
@@ -174,11 +182,19 @@ impl Prepared {
                 extended,
             });
         }
+        let second_differences = regular::second_differences(&topology, &positions, radius);
+        let mut others = second_differences.clone();
+        for at in &vertices {
+            for h in topology.fan(at.vertex) {
+                others[topology.face_of(h) as usize] = 0.0;
+            }
+        }
         Ok(Prepared {
             weights,
             local_steps,
             exponent,
-            second_differences: regular::second_differences(&topology, &positions, radius),
+            second_differences,
+            regular: others.into_iter().fold(0.0, f64::max),
             topology,
             kernels,
             vertices,
@@ -204,7 +220,7 @@ impl Prepared {
                     valence,
                     level,
                     largest: table::LARGEST,
-                    deepest: table::DEEPEST,
+                    deepest: table::LAST,
                 },
             )
         };
@@ -217,6 +233,28 @@ impl Prepared {
         }
     }
 
+    /// What second differences and coefficients are multiplied by for the level-m mesh.
+    fn level(&self, estimator: Estimator, m: u32) -> Result<Level, NotApplicable> {
+        let local_steps = self.local_steps;
+        let level = m.checked_sub(local_steps).ok_or(NotApplicable::Level {
+            level: m,
+            local_steps,
+        })?;
+        let weights = self.kernels.keys().map(|&valence| {
+            let weights = self.mode_weights(estimator, valence, level)?;
+            Ok((valence, weights))
+        });
+        Ok(Level {
+            factor: regular::factor(estimator.against(), level),
+            weights: weights.collect::<Result<_, NotApplicable>>()?,
+        })
+    }
+
+    /// The sums of the sectors at a vertex.
+    fn sums(&self, at: &Decomposed, level: &Level, sum: Sum, out: &mut Vec<f64>) {
+        self.kernels[&at.valence].sums(&at.norms, &level.weights[&at.valence], sum, out);
+    }
+
     /// For each face of the mesh after the local steps, an upper bound over that face, in the mesh's own unit.
     ///
     /// # Errors
@@ -227,27 +265,52 @@ impl Prepared {
         m: u32,
         sum: Sum,
     ) -> Result<Vec<f64>, NotApplicable> {
-        let local_steps = self.local_steps;
-        let level = m.checked_sub(local_steps).ok_or(NotApplicable::Level {
-            level: m,
-            local_steps,
-        })?;
-        let factor = regular::factor(estimator.against(), level);
+        let level = self.level(estimator, m)?;
         let mut bounds: Vec<f64> = (self.second_differences.iter())
-            .map(|m| self.outward(m * factor))
+            .map(|m| self.outward(m * level.factor))
             .collect();
-        let mut weights: BTreeMap<u32, ModeWeights> = BTreeMap::new();
-        for &valence in self.kernels.keys() {
-            weights.insert(valence, self.mode_weights(estimator, valence, level)?);
-        }
         let mut sums = Vec::new();
         for at in &self.vertices {
-            self.kernels[&at.valence].sums(&at.norms, &weights[&at.valence], sum, &mut sums);
+            self.sums(at, &level, sum, &mut sums);
             for (h, bound) in self.topology.fan(at.vertex).zip(&sums) {
                 bounds[self.topology.face_of(h) as usize] = self.outward(*bound);
             }
         }
         Ok(bounds)
+    }
+
+    /// The largest of [`Prepared::face_bounds`], from the largest second difference and the vertices alone.
+    fn bound(&self, estimator: Estimator, m: u32, sum: Sum) -> Result<f64, NotApplicable> {
+        let level = self.level(estimator, m)?;
+        let mut sums = Vec::new();
+        let mut largest = self.regular * level.factor;
+        for at in &self.vertices {
+            self.sums(at, &level, sum, &mut sums);
+            largest = sums.iter().copied().fold(largest, f64::max);
+        }
+        Ok(self.outward(largest))
+    }
+
+    /// The least level m, from the local steps to [`table::LAST`], whose estimate is at most a tolerance in the
+    /// mesh's own unit; `None` if there is none.
+    ///
+    /// Where the estimate is safe ([`Estimate::safe`]) the distance at that level is at most the tolerance:
+    /// bounds are rounded upwards, so that comparing them proves it.
+    ///
+    /// # Errors
+    /// As [`estimate`], but for the level.
+    pub fn depth(
+        &self,
+        estimator: Estimator,
+        tolerance: f64,
+        sum: Sum,
+    ) -> Result<Option<u32>, NotApplicable> {
+        for m in self.local_steps..=table::LAST {
+            if self.bound(estimator, m, sum)? <= tolerance {
+                return Ok(Some(m));
+            }
+        }
+        Ok(None)
     }
 
     /// A length here in the mesh's own unit, rounded upwards.
@@ -265,12 +328,11 @@ impl Prepared {
         m: u32,
         sum: Sum,
     ) -> Result<Estimate, NotApplicable> {
-        let largest = |bounds: Vec<f64>| bounds.into_iter().fold(0.0, f64::max);
-        let bound = largest(self.face_bounds(estimator, m, sum)?);
+        let bound = self.bound(estimator, m, sum)?;
         let (safe, why) = match estimator {
             Estimator::TabApprox => (true, "Corollary 1, with certified distances".to_string()),
             Estimator::TabEigen => {
-                let sure = largest(self.face_bounds(Estimator::TabApprox, m, sum)?);
+                let sure = self.bound(Estimator::TabApprox, m, sum)?;
                 match bound >= sure {
                     true => (true, format!("at least tab-approx, {sure:.6e}")),
                     false => (false, format!("below tab-approx, {sure:.6e}")),

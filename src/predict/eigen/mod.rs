@@ -30,7 +30,9 @@
 //! | [`regular`] | faces without an extraordinary vertex |
 //! | [`inside`] | whether chi stays over known facets between limit points |
 //! | [`table`] | the distances μ |
+//! | [`beyond`] | those at levels beyond the table, by a recurrence |
 
+pub mod beyond;
 pub mod estimators;
 pub mod inside;
 pub mod isolation;
