@@ -1,7 +1,8 @@
 //! The bounds of `predict::differences` against certified distances: never below, on any mesh.
 
+use num_traits::ToPrimitive;
 use proptest::prelude::*;
-use subcert::bound::Against as Constants;
+use subcert::bound::{Against as Constants, Constant, Prover};
 use subcert::distance::measure::{Request as Measured, measure};
 use subcert::distance::model::Against;
 use subcert::distance::parametric::Goal;
@@ -16,8 +17,8 @@ const SCHEMES: [Scheme; 4] = [
     Scheme::DooSabin,
 ];
 
-/// A certified lower bound of the distance at a level.
-fn least(mesh: &Mesh, request: &Request, level: u32) -> Option<f64> {
+/// Certified lower bounds of the distance at a level: of the mesh, and of the surface over each of its faces.
+fn least(mesh: &Mesh, request: &Request, level: u32) -> Option<(f64, Vec<f64>)> {
     let measured = Measured {
         scheme: request.scheme,
         corner: request.corner,
@@ -28,12 +29,24 @@ fn least(mesh: &Mesh, request: &Request, level: u32) -> Option<f64> {
         },
         goal: Goal {
             gap: 0.05,
+            face_gap: Some(0.05),
             ..Goal::default()
         },
     };
-    measure(mesh, &measured, &|_, _| ())
-        .ok()
-        .map(|found| found.lo)
+    let found = measure(mesh, &measured, &|_, _| ()).ok()?;
+    let mut faces = vec![0.0_f64; mesh.topology.face_count() as usize];
+    let all = found.face_enclosures.unwrap_or_default();
+    for (face, enclosure) in all.iter().enumerate() {
+        // Children of triangles are numbered four by four; of others only the mesh itself is compared.
+        let parent = match request.scheme {
+            Scheme::Loop(_) => face >> (2 * level),
+            _ if level == 0 => face,
+            _ => continue,
+        };
+        let lo = enclosure.map_or(0.0, |[lo, _]| lo);
+        faces[parent] = faces[parent].max(lo);
+    }
+    Some((found.lo, faces))
 }
 
 /// No bound is below the distance at the levels given; whether the scheme applies.
@@ -42,7 +55,7 @@ fn check(mesh: &Mesh, request: &Request, levels: u32, name: &str) -> bool {
         return false;
     };
     for level in 0..=levels {
-        let Some(lo) = least(mesh, request, level) else {
+        let Some((lo, of_faces)) = least(mesh, request, level) else {
             return false;
         };
         let bound = bounds.at(level);
@@ -51,15 +64,81 @@ fn check(mesh: &Mesh, request: &Request, levels: u32, name: &str) -> bool {
             "{name}, {request:?}, level {level}: {bound} < {lo}"
         );
         let faces = bounds.face_bounds(level);
+        for (face, (own, lo)) in faces.iter().zip(&of_faces).enumerate() {
+            assert!(
+                own >= lo,
+                "{name}, {request:?}, level {level}, face {face}: {own} < {lo}"
+            );
+        }
         let largest = faces.into_iter().fold(0.0, f64::max);
-        // A face takes the best of its own stages: at most the mesh's bound.
         assert!(
             largest >= lo,
             "{name}, {request:?}, level {level}: faces {largest} < {lo}"
         );
+        // A face takes the best of its own stages: at most the mesh's bound.
         assert!(largest <= bound * 1.000_001 || request.scheme == Scheme::DooSabin);
     }
     true
+}
+
+/// Random nets of the property test: `SUBCERT_NETS` of them, or a few.
+fn cases() -> u32 {
+    let asked = std::env::var("SUBCERT_NETS").ok();
+    asked.and_then(|text| text.parse().ok()).unwrap_or(300)
+}
+
+/// The local net of Stam's numbering as an open mesh, its heights in z; the face is the last.
+fn of_local_net(n: u32, heights: &[f64]) -> Mesh {
+    let mut faces: Vec<[u32; 3]> = (2..=n).map(|i| [1, i, i + 1]).collect();
+    faces.extend([
+        [2, n + 1, n + 2],
+        [2, n + 2, n + 3],
+        [2, n + 3, n + 4],
+        [2, n + 4, 3],
+    ]);
+    faces.extend([
+        [n + 1, n + 2, n + 5],
+        [n + 1, n + 5, n + 6],
+        [n + 1, n + 6, n],
+    ]);
+    faces.push([1, n + 1, 2]);
+    let corners = faces.into_iter().flatten().map(|v| v - 1).collect();
+    Mesh {
+        topology: Topology::from_uniform(heights.len(), 3, corners).expect("a disc"),
+        positions: heights.iter().map(|&z| Point([0.0, 0.0, z])).collect(),
+    }
+}
+
+/// The dual nets of the programs have M = 1 and attain C_k: at the face the bound is C_k, and the distance too.
+#[test]
+fn nets_of_the_programs_attain_the_bounds() {
+    for n in [5, 7, 8, 9, 12] {
+        let mut prover = Prover::new(LoopWeights::Original, n);
+        for k in 0..=2 {
+            let proof = prover.prove(Constant::Distance(Constants::Control, k), 1e-6);
+            let proof = proof.expect("a proof");
+            let net = prover.candidate(proof.net).net_rationals();
+            let heights: Vec<f64> = net.iter().map(|y| y.to_f64().expect("a number")).collect();
+            let mesh = of_local_net(n, &heights);
+            let request = Request {
+                scheme: SCHEMES[0],
+                corner: CornerRule::Smooth,
+                against: Constants::Control,
+                local_steps: 0,
+            };
+            assert!(check(&mesh, &request, 2, "a net of a program"));
+            let bounds = Bounds::new(&mesh, &request).expect("triangles");
+            let level = k as u32;
+            let bound = *bounds.face_bounds(level).last().expect("faces");
+            let (_, lo) = least(&mesh, &request, level).expect("a distance");
+            let lo = *lo.last().expect("faces");
+            assert!(lo * 1.06 >= bound, "n = {n}, k = {k}: {lo} and {bound}");
+            assert!(
+                bound >= proof.lo && bound <= proof.hi * 1.003,
+                "{bound}, {proof:?}"
+            );
+        }
+    }
 }
 
 fn requests(scheme: Scheme) -> impl Iterator<Item = Request> {
@@ -173,7 +252,7 @@ fn nets() -> impl Strategy<Value = (Mesh, bool)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(cases()))]
 
     #[test]
     fn bounds_of_random_nets_are_not_below_certified_distances((mesh, quads) in nets(), steps in 0u32..3, limit: bool, sharp: bool, which in 0usize..2) {

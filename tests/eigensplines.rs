@@ -12,7 +12,7 @@ use subcert::scheme::LoopWeights::{self, Original, Warren};
 use subcert::spectrum::eigenspline::complex::Complex;
 use subcert::spectrum::eigenspline::lattice::Levels;
 use subcert::spectrum::eigenspline::mode::{Label, Link, ModeFamily, Net, Sector, nets};
-use subcert::spectrum::eigenspline::{Against, distances, distances_of, table};
+use subcert::spectrum::eigenspline::{Against, Enclosed, distances, distances_of, scaling, table};
 use subcert::spectrum::eigenspline::{ModeDistances, certificates::eigensplines};
 
 fn float(x: &Rational) -> f64 {
@@ -243,6 +243,31 @@ fn nets_scale_from_level_to_level() {
     }
 }
 
+/// Over ring r a generalised mode is `λ^r e + r λ^(r-1) κ f`. With λ = 1/2, κ = -1, D = 1, 1/16, 1/64 and D = 3/8,
+/// 1/16, 1/64 for f, by hand: at m = 1 ring 1 has `1/2 ± 3/8`, at m = 2 ring 2 has `1/4 ± 2/2 3/8` and ring 1 less;
+/// from below ring 0 is the best at m = 2. N is too small to count.
+#[test]
+fn chains_of_generalised_modes_add_to_both_bounds() {
+    let number = |(p, q)| <Rational as Field>::ratio(p, q);
+    let known = |x| Enclosed {
+        lo: number(x),
+        hi: number(x),
+        place: None,
+    };
+    let rings = [(1, 1), (1, 16), (1, 64)].map(known);
+    let of_chain = [(3, 8), (1, 16), (1, 64)].map(known);
+    let near = known((1, 1024));
+    let chain = Some((Interval::point(-1.0), (&of_chain[..], &near)));
+    let found = scaling::distances(Interval::point(0.5), &rings, &near, chain);
+    for ([lo, hi], [below, above]) in
+        (found.iter()).zip([[1.0, 1.0], [0.125, 0.875], [0.015625, 0.625]])
+    {
+        let (lo, hi) = (float(lo), float(hi));
+        assert!(lo <= below && lo > below * 0.999_999, "{lo}, {below}");
+        assert!(hi >= above && hi < above * 1.000_001, "{hi}, {above}");
+    }
+}
+
 /// The net that is 1 everywhere.
 fn constant() -> Net<Interval> {
     let one = || Complex::real(Interval::from_integer(1));
@@ -298,6 +323,7 @@ fn fresh_certificates_are_verified() {
     for (weights, n, against) in [
         (Original, 3, Limit),
         (Original, 7, Control),
+        (Original, 8, Control),
         (Warren, 5, Limit),
     ] {
         let certificate = eigensplines(weights, n, against, 2).expect("distances");

@@ -325,7 +325,8 @@ mod tests {
                 face.push(edges[(k + 1) % valence].clone());
                 net.faces.push(face);
             }
-            net.corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+            let facet = std::array::from_fn(|_| point());
+            net.place(facet, [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
             let mask = |n: usize| doo_sabin::corner_mask::<Rational>(n as u32);
             let rules = DooSabinRules {
                 masks: (0..7)

@@ -229,12 +229,14 @@ mod tests {
 
     #[test]
     fn distances_to_a_triangle() {
-        // In the plane z = 0: above the inside, beyond an edge, beyond a corner.
+        // In the plane z = 0: above the inside, beyond an edge, beyond each corner.
         let t = [[0, 0, 0], [4, 0, 0], [0, 4, 0]].map(point);
         for (p, square) in [
             ([1, 1, 3], 9),
             ([2, -3, 4], 25),
             ([-3, 0, 4], 25),
+            ([-3, -4, 0], 25),
+            ([0, 7, 4], 25),
             ([4, 4, 0], 8),
             ([5, 0, 0], 1),
         ] {

@@ -307,3 +307,91 @@ impl<M: Model<Float>> Shape for SurfaceSet<'_, M> {
         None
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::distance::model::{CatmullClarkModel, DooSabinModel, LoopModel, MeshView};
+    use crate::patch::Facet;
+    use crate::patch::quad_net::CatmullClarkRules;
+    use crate::patch::quarter_net::DooSabinRules;
+    use crate::patch::triangle_net::LoopRules;
+    use crate::scheme::{CornerRule, LoopWeights};
+
+    /// A net's corners are by limit masks, a patch's are Bernstein coefficients after more steps: pieces of a face,
+    /// coarse and fine, have the same point at the same parameters.
+    fn corners_agree<M: Model<Float>>(
+        model: &M,
+        topology: &Topology,
+        positions: &[Point<f64>],
+    ) -> usize {
+        let set = SurfaceSet::new(model, topology, positions, 0.0, 8.0, 0.0);
+        let (mut scratch, mut shared) = (SurfaceScratch::default(), 0);
+        for face in 0..set.item_count() {
+            let (mut pieces, mut seen) = (Vec::new(), Vec::<([f64; 2], Lane)>::new());
+            set.open(face, &mut scratch, &mut pieces);
+            for _ in 0..4 {
+                for piece in &pieces {
+                    for (at, point) in set.parameters(piece).iter().zip(piece.outline.corners()) {
+                        match seen.iter().find(|(known, _)| known == at) {
+                            None => seen.push((*at, *point)),
+                            Some((_, known)) => {
+                                let apart = (*known - point).norm_squared().sqrt();
+                                assert!(apart < 1e-13, "face {face}, {at:?}: {known:?}, {point:?}");
+                                shared += 1;
+                            }
+                        }
+                    }
+                }
+                for piece in std::mem::take(&mut pieces) {
+                    set.split(&piece, &mut scratch, &mut pieces);
+                }
+            }
+        }
+        shared
+    }
+
+    #[test]
+    fn pieces_agree_at_common_corners() {
+        let positions = |count: u32| -> Vec<Point<f64>> {
+            let mixed = |k: u32| f64::from(k.wrapping_mul(0x9e37_79b9) >> 24) / 64.0;
+            let point = |k: u32| Point([1, 2, 3].map(|i| mixed(3 * k + i)));
+            (0..count).map(point).collect()
+        };
+        // A prism over a pentagon: vertices of valence 3, faces of four and five sides.
+        let mut corners = vec![0, 1, 2, 3, 4, 9, 8, 7, 6, 5];
+        corners.extend((0..5).flat_map(|i| [i, 5 + i, 5 + (i + 1) % 5, (i + 1) % 5]));
+        let start = [0, 5].into_iter().chain((0..=5).map(|i| 10 + 4 * i));
+        let prism = Topology::from_polygons(10, start.collect(), corners).expect("a prism");
+        let net = positions(10);
+        let mesh = || MeshView {
+            topology: &prism,
+            positions: &net,
+            compared: Facet::Nothing,
+        };
+        let rules = CatmullClarkRules::new(CornerRule::Smooth, &prism);
+        let model = CatmullClarkModel {
+            mesh: mesh(),
+            rules,
+        };
+        assert!(corners_agree(&model, &prism, &net) > 100);
+        let rules = DooSabinRules::new(&prism).expect("masks");
+        let model = DooSabinModel {
+            mesh: mesh(),
+            rules,
+        };
+        assert!(corners_agree(&model, &prism, &net) > 100);
+        // Two fans over a pentagon: valences 4 and 5.
+        let fans = (0..5).flat_map(|i| [i, (i + 1) % 5, 5, (i + 1) % 5, i, 6]);
+        let fans = Topology::from_uniform(7, 3, fans.collect()).expect("a bipyramid");
+        let net = positions(7);
+        let mesh = MeshView {
+            topology: &fans,
+            positions: &net,
+            compared: Facet::Nothing,
+        };
+        let rules = LoopRules::new(LoopWeights::Original, CornerRule::Smooth, &fans);
+        let rules = rules.expect("masks");
+        assert!(corners_agree(&LoopModel { mesh, rules }, &fans, &net) > 100);
+    }
+}

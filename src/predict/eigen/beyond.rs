@@ -116,7 +116,10 @@ impl Recurrence {
         let chained = chained.map(|net| Levels::new(net, None, BASE));
         let outer = modes.par_iter().map(|net| {
             let chain = chained.as_ref().zip(net.kappa.as_ref());
-            (net.label, outer(net, &Levels::new(net, chain, BASE), &pieces))
+            (
+                net.label,
+                outer(net, &Levels::new(net, chain, BASE), &pieces),
+            )
         });
         let outer: Vec<_> = outer.collect();
         let eigenvalues = modes.iter().map(|net| (net.label, net.eigenvalue.mag()));
@@ -144,7 +147,11 @@ impl Recurrence {
         let more = (self.chain * (2.0 * distances.ray)).next_up();
         let ring = (self.eigenvalues.ring.iter().zip(&distances.ring)).zip(&self.outer.ring);
         let ring = ring.enumerate().map(|(i, ((lambda, mu), outer))| {
-            let more = if i == 0 && self.chain > 0.0 { more } else { 0.0 };
+            let more = if i == 0 && self.chain > 0.0 {
+                more
+            } else {
+                0.0
+            };
             step(*lambda, *mu, *outer, more)
         });
         let (lambda, outer) = (&self.eigenvalues, &self.outer);
@@ -190,8 +197,8 @@ impl Piece {
             .map(|(place, k)| (place, k, bend(chi, place, k)))
             .collect();
         let longest = [0, 1].map(|k| largest(steps[k].iter().map(|(_, u)| *u)));
-        let crosses = (steps[0].iter())
-            .flat_map(|(_, u)| steps[1].iter().map(|(_, v)| u.cross(v).inf()));
+        let crosses =
+            (steps[0].iter()).flat_map(|(_, u)| steps[1].iter().map(|(_, v)| u.cross(v).inf()));
         let determinant = Interval::point(crosses.fold(f64::INFINITY, f64::min));
         let second_difference = largest(bends.iter().map(|(_, _, x)| *x));
         let away = Interval::point(regular::factor(against, 0)) * second_difference;

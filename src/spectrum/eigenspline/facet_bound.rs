@@ -182,6 +182,12 @@ mod tests {
         // Beyond both.
         assert_eq!(covered(0.625, both()), None);
         assert_eq!(covered(3.0, both()), None);
+        // Past the centre: each side of the facet has a point within, the facet has none.
+        let past = [(-0.125, 0.0625), (0.0625, -0.125), (-0.125, -0.125)];
+        let past = past.map(|(x, y)| corner(x, y));
+        let chi = QuarticTriangle::from_linear::<Interval>(&past);
+        let patch = Patch::new(CENTRE, chi, vec![facet(CENTRE)]);
+        assert!(patch.root.covering.is_none());
         // A triangle that is folded over does not continue another.
         let folded = Facet::new(across, [[0, 0], [0, 1], [1, 0]].map(lattice));
         assert_eq!(covered(0.375, vec![facet(CENTRE), folded]), None);

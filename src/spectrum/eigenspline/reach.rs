@@ -97,3 +97,39 @@ pub fn lower_bound(start: &Start, at: [f64; 2]) -> Option<f64> {
         near.map(|(facet, values)| magnitude(&difference(&e, &facet.weights(&chi), values)).inf());
     values.reduce(f64::min)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::facets::{Facet, Patch};
+    use super::super::plane::CENTRE;
+    use super::*;
+    use crate::bernstein::triangle::QuarticTriangle;
+
+    /// The point (1/2, 1/2) lies in both facets at the edge from (1, 0) to (0, 1). With e = 0 and E = 3 on one of
+    /// them, E = 1 on the other, |e - E| is at least 1 there, whichever of them is the right one.
+    #[test]
+    fn a_point_on_an_edge_has_the_smaller_value_of_both_facets() {
+        let number = |re: f64, im: f64| Complex {
+            re: Interval::point(re),
+            im: Interval::point(im),
+        };
+        let facet = |triangle: super::super::lattice::Triangle| {
+            let corner = |[p, q]: [i32; 2]| number(p.into(), q.into());
+            Facet::new(triangle, triangle.corners().map(corner))
+        };
+        let chi = [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| number(x, y));
+        let chi = QuarticTriangle::from_linear::<Interval>(&chi);
+        let both = vec![facet(CENTRE), facet(CENTRE.across(0))];
+        for values in [[3.0, 1.0], [1.0, 3.0]] {
+            let start = Start {
+                patch: &Patch::new(CENTRE, chi.clone(), both.clone()),
+                sector: 0,
+                ring: 0,
+                spline: QuarticTriangle::from_linear::<Interval>(&[number(0.0, 0.0); 3]),
+                facets: values.map(|e| [number(e, 0.0); 3]).to_vec(),
+            };
+            let found = lower_bound(&start, [0.5, 0.0]).expect("a facet");
+            assert!(found <= 1.0 && found > 1.0 - 1e-12, "{found}");
+        }
+    }
+}
