@@ -183,32 +183,39 @@ fn unsafe_depths_are_marked_in_the_text() {
 }
 
 #[test]
-fn faces_are_written_as_table_and_as_mesh() {
+fn depths_of_faces_are_written() {
     let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("depths.csv").display().to_string();
     let mesh = sample("block_with_handle.obj");
-    let path = |name: &str| folder.path().join(name).display().to_string();
-    for (name, start) in [("depths.csv", "face,depth\n"), ("depths.ply", "ply\n")] {
-        let out = path(name);
-        let arguments = [
-            &mesh,
-            "--scheme",
-            "catmull-clark",
-            "--tolerance",
-            "10",
-            "--method",
-            "subcert-1",
-            "--faces",
-            &out,
-        ];
-        run(&arguments, 0);
-        let bytes = fs::read(&out).expect("the file");
-        let head = String::from_utf8_lossy(&bytes).into_owned();
-        assert!(head.starts_with(start), "{name}");
-        assert!(
-            name.ends_with("csv") || head.contains("double depth"),
-            "{name}"
-        );
-    }
+    let arguments = ["--scheme", "catmull-clark", "--tolerance", "10"];
+    let arguments: Vec<&str> = std::iter::once(mesh.as_str())
+        .chain(arguments)
+        .chain(["--method", "subcert-1", "--faces", &out])
+        .collect();
+    run(&arguments, 0);
+    let table = fs::read_to_string(&out).expect("the file");
+    assert!(table.starts_with("face,depth\n"), "{table}");
+}
+
+#[test]
+fn depths_are_written_as_table_and_as_mesh() {
+    use subcert::report::faces::write_depths;
+    let folder = tempfile::tempdir().expect("a folder");
+    let read = subcert::mesh::io::read(sample("mixed_patch.obj"));
+    let mesh = read.expect("a mesh").mesh;
+    let mut depths = vec![Some(3); mesh.topology.face_count() as usize];
+    depths[1] = None;
+    let path = |name: &str| folder.path().join(name);
+    write_depths(&path("d.csv"), &mesh, &depths).expect("a table");
+    let table = fs::read_to_string(path("d.csv")).expect("the file");
+    assert!(table.starts_with("face,depth\n0,3\n1,\n2,3\n"), "{table}");
+    assert_eq!(table.lines().count(), 1 + depths.len());
+    write_depths(&path("d.ply"), &mesh, &depths).expect("a mesh");
+    let bytes = fs::read(path("d.ply")).expect("the file");
+    let head = String::from_utf8_lossy(&bytes).into_owned();
+    assert!(head.contains("property double depth\n"), "{head}");
+    assert!(head.contains("property double quality\n"), "{head}");
+    assert!(write_depths(&path("d.obj"), &mesh, &depths).is_err());
 }
 
 #[test]

@@ -21,9 +21,9 @@ fn bounds<'a>(
 
 pub(super) fn depth(context: &Context<'_>, local_steps: u32) -> Result<Found, NoDepth> {
     let bounds = bounds(context.mesh, context.request, local_steps)?;
-    let depth = bounds.depth(context.request.tolerance).ok_or_else(|| {
-        NoDepth::NotReached(format!("no depth up to {} is proved", Bounds::DEEPEST))
-    })?;
+    let depth = bounds
+        .depth(context.request.tolerance)
+        .ok_or_else(|| NoDepth(format!("none up to {} is proved", Bounds::DEEPEST)))?;
     Ok(Found {
         depth,
         bound: bounds.at(depth),

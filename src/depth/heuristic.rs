@@ -44,7 +44,7 @@ pub(super) fn depth(context: &Context<'_>) -> Result<Found, NoDepth> {
         }
         vertices.step();
     }
-    Err(NoDepth::NotReached(format!(
+    Err(NoDepth(format!(
         "the vertices are farther from their limits up to level {}",
         Bounds::DEEPEST
     )))
@@ -79,7 +79,7 @@ impl Followed {
             positions,
         };
         let limits = limit_positions::<f64, _>(scheme, corner, &mesh.topology, &mesh.positions)?;
-        let off = |v: u32| length(&(mesh.positions[v as usize].clone() - &limits[v as usize]).0);
+        let off = |v: u32| length(&(mesh.positions[v as usize] - &limits[v as usize]).0);
         let count = mesh.topology.vertex_count();
         let mut found = Followed {
             exponent,
@@ -196,7 +196,7 @@ mod tests {
         let fine = refine::<f64>(scheme, corner, mesh, levels).unwrap();
         let limits = limit_positions::<f64, _>(scheme, corner, &fine.topology, &fine.positions);
         let limits = limits.unwrap();
-        let off = |v: usize| length(&(fine.positions[v].clone() - &limits[v]).0);
+        let off = |v: usize| length(&(fine.positions[v] - &limits[v]).0);
         (0..mesh.positions.len()).map(off).fold(0.0, f64::max)
     }
 
@@ -214,7 +214,7 @@ mod tests {
 
     fn example(name: &str) -> Mesh {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/meshes");
-        crate::mesh::io::read(&path.join(name)).unwrap().mesh
+        crate::mesh::io::read(path.join(name)).unwrap().mesh
     }
 
     #[test]

@@ -113,20 +113,13 @@ pub(crate) struct Found {
     why: String,
 }
 
-/// Why a method gives no depth.
+/// Why a method gives no depth, in one sentence.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum NoDepth {
-    /// It is not about this mesh: one sentence.
-    NotApplicable(String),
-    /// It proves no depth: one sentence.
-    NotReached(String),
-    /// The scheme refuses the mesh.
-    Refused(RefineError),
-}
+pub(crate) struct NoDepth(String);
 
 impl From<RefineError> for NoDepth {
     fn from(error: RefineError) -> Self {
-        NoDepth::Refused(error)
+        NoDepth(error.to_string())
     }
 }
 
@@ -174,7 +167,8 @@ impl Context<'_> {
 /// ```
 ///
 /// # Errors
-/// If and only if the scheme refuses the mesh, or a coordinate is not finite.
+/// If and only if the scheme refuses the mesh or the corner rule, or a coordinate is not finite. What a method
+/// alone can't do (coordinates near the largest `f64`) is said in its answer.
 ///
 /// # Panics
 /// Unless the tolerance is positive and finite.
@@ -187,6 +181,9 @@ pub fn predict(
         request.tolerance > 0.0 && request.tolerance.is_finite(),
         "a positive, finite tolerance"
     );
+    if request.scheme == Scheme::DooSabin && request.corner == CornerRule::Sharp {
+        return Err(RefineError::CornerRule);
+    }
     topology::check(request.scheme, &mesh.topology)?;
     largest_coordinate(&mesh.positions)?;
     let context = Context {
@@ -194,35 +191,33 @@ pub fn predict(
         request,
         norms: OnceCell::new(),
     };
-    methods.iter().map(|&m| answer(&context, m)).collect()
+    Ok(methods.iter().map(|&m| answer(&context, m)).collect())
 }
 
-fn answer(context: &Context<'_>, method: Method) -> Result<Answer, RefineError> {
+fn answer(context: &Context<'_>, method: Method) -> Answer {
     let request = context.request;
-    let none = |safe, why| {
-        Ok(Answer {
-            method,
-            depth: None,
-            safe,
-            bound_at_depth: None,
-            why,
-        })
-    };
-    if let Err(why) = method.applies(request) {
-        return none(false, why);
-    }
-    let found = match method {
-        Method::Heuristic => heuristic::depth(context),
-        Method::LanquetinNeveu => printed::lanquetin_neveu::depth(context),
-        Method::ChengYong => printed::cheng_yong::depth(context),
-        Method::Huang | Method::HuangWang => printed::huang_wang::depth(context),
-        Method::Differences(steps) => differences::depth(context, steps),
-        Method::Tabulated(estimator, steps) => tabulated::depth(context, estimator, steps),
+    let found = match method.applies(request) {
+        Err(why) => Err(NoDepth(why)),
+        Ok(()) => match method {
+            Method::Heuristic => heuristic::depth(context),
+            Method::LanquetinNeveu => printed::lanquetin_neveu::depth(context),
+            Method::ChengYong => printed::cheng_yong::depth(context),
+            Method::Huang | Method::HuangWang => printed::huang_wang::depth(context),
+            Method::Differences(steps) => differences::depth(context, steps),
+            Method::Tabulated(estimator, steps) => tabulated::depth(context, estimator, steps),
+        },
     };
     match found {
+        Err(NoDepth(why)) => Answer {
+            method,
+            depth: None,
+            safe: false,
+            bound_at_depth: None,
+            why,
+        },
         Ok(found) => {
             let bounded = method.bounds(request.metric);
-            Ok(Answer {
+            Answer {
                 method,
                 depth: Some(found.depth),
                 safe: found.safe && bounded,
@@ -234,11 +229,8 @@ fn answer(context: &Context<'_>, method: Method) -> Result<Answer, RefineError> 
                         request.metric
                     ),
                 },
-            })
+            }
         }
-        Err(NoDepth::NotApplicable(why)) => none(false, why),
-        Err(NoDepth::NotReached(why)) => none(false, why),
-        Err(NoDepth::Refused(error)) => Err(error),
     }
 }
 

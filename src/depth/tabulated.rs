@@ -12,12 +12,9 @@ pub(super) fn depth(
 ) -> Result<Found, NoDepth> {
     let request = context.request;
     let Scheme::Loop(weights) = request.scheme else {
-        return Err(NoDepth::NotApplicable("it is about loop".into()));
+        return Err(NoDepth("it is about loop".into()));
     };
-    let not_applicable = |error| match error {
-        NotApplicable::Refine(error) => NoDepth::Refused(error),
-        other => NoDepth::NotApplicable(other.to_string()),
-    };
+    let not_applicable = |error: NotApplicable| NoDepth(error.to_string());
     let prepared = Prepared::new(context.mesh, weights, local_steps).map_err(not_applicable)?;
     let mut least = f64::INFINITY;
     for m in local_steps..=Bounds::DEEPEST {
@@ -25,7 +22,7 @@ pub(super) fn depth(
             Ok(estimate) => estimate,
             // Levels are tabulated up to some depth; there the search ends.
             Err(NotApplicable::NotTabulated { .. }) if least.is_finite() => {
-                return Err(NoDepth::NotReached(format!(
+                return Err(NoDepth(format!(
                     "distances are tabulated up to level {}, and the estimate is still {least:.3e}",
                     m - 1
                 )));
@@ -37,13 +34,10 @@ pub(super) fn depth(
                 depth: m,
                 bound: estimate.bound,
                 safe: estimate.safe,
-                why: estimate.why,
+                why: format!("peters-wu: {}", estimate.why),
             });
         }
         least = least.min(estimate.bound);
     }
-    Err(NoDepth::NotReached(format!(
-        "no depth up to {} is proved",
-        Bounds::DEEPEST
-    )))
+    Err(NoDepth(format!("none up to {} is proved", Bounds::DEEPEST)))
 }

@@ -51,7 +51,7 @@ fn regular<'a>(norm: &'a Norm, tolerance: &Rational) -> Needed<'a> {
 }
 
 fn extraordinary<'a>(n: u32, norm: &'a Norm, tolerance: &Rational) -> Result<Needed<'a>, NoDepth> {
-    let not_printed = || NoDepth::NotApplicable(format!("nothing is printed for valence {n}"));
+    let not_printed = || NoDepth(format!("nothing is printed for valence {n}"));
     if n < 3 {
         return Err(not_printed());
     }

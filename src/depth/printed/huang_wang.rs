@@ -84,9 +84,8 @@ pub(in crate::depth) fn depth(context: &Context<'_>) -> Result<Found, NoDepth> {
     };
     let tolerance = exactly(request.tolerance);
     deepest(context.norms()?, &tolerance, &basis, |n, norm| {
-        let constants = Constants::of(n, request.against).ok_or_else(|| {
-            NoDepth::NotApplicable(format!("no constants are printed for valence {n}"))
-        })?;
+        let constants = Constants::of(n, request.against)
+            .ok_or_else(|| NoDepth(format!("no constants are printed for valence {n}")))?;
         Ok(needed(constants, norm, &tolerance))
     })
 }

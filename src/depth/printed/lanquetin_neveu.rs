@@ -57,30 +57,25 @@ fn quads(
 fn triangles(context: &Context<'_>, weights: LoopWeights) -> Result<Found, NoDepth> {
     let topology = &context.mesh.topology;
     if !topology.is_closed() {
-        return Err(NoDepth::NotApplicable(
+        return Err(NoDepth(
             "the paper has no boundary rule, and the mesh has a boundary".into(),
         ));
     }
     let [_, m_0] = displacement(context.mesh, weights, 0)?;
     let valences = (0..topology.vertex_count()).map(|v| topology.valence(v));
     let n = valences.fold(6, u32::max);
-    let enclosed = loop_scheme::ring_weight_sum::<Interval>(weights, n);
-    // Rounded upwards: never fewer steps than printed.
-    let rate = enclosed.and_then(|sum| {
-        (Interval::from_rational(&Rational::ratio(5, 8)) - &sum)
-            .sup()
-            .into()
-    });
     let found = || {
         let exact = |x: f64| Some(Enclosure::exactly(Rational::from_float(x)?));
-        let (m, rate) = (exact(m_0)?, exact(rate?)?);
+        let sum = loop_scheme::ring_weight_sum::<Interval>(weights, n)?;
+        let rate = Interval::from_rational(&Rational::ratio(5, 8)) - sum;
+        // Rounded upwards: never fewer steps than printed.
+        let (m, rate) = (exact(m_0)?, exact(rate.sup())?);
         let tolerance = Enclosure::exactly(exactly(context.request.tolerance));
         let depth = corollary_3(&m, &tolerance, &rate)?;
         Some((depth, round_up(&(&m.hi * power(&rate.hi, depth)))))
     };
-    let (depth, bound) = found().ok_or_else(|| {
-        NoDepth::NotReached(format!("the rate of valence {n} is not known well enough"))
-    })?;
+    let (depth, bound) = found()
+        .ok_or_else(|| NoDepth(format!("the rate of valence {n} is not known well enough")))?;
     Ok(Found {
         depth,
         bound,

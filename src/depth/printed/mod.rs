@@ -47,7 +47,7 @@ fn deepest<'a>(
     let mut all = Vec::new();
     for (&valence, norm) in &norms.by_valence {
         if norm.first > range || norm.second > range {
-            return Err(NoDepth::NotReached(format!(
+            return Err(NoDepth(format!(
                 "differences of the mesh are more than 2^{RANGE} tolerances"
             )));
         }
