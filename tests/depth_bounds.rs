@@ -97,9 +97,9 @@ fn of_local_net(n: u32, heights: &[f64]) -> Mesh {
         [2, n + 4, 3],
     ]);
     faces.extend([
-        [n + 1, n + 2, n + 5],
-        [n + 1, n + 5, n + 6],
-        [n + 1, n + 6, n],
+        [n + 1, n + 5, n + 2],
+        [n + 1, n + 6, n + 5],
+        [n + 1, n, n + 6],
     ]);
     faces.push([1, n + 1, 2]);
     let corners = faces.into_iter().flatten().map(|v| v - 1).collect();

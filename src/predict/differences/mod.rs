@@ -426,6 +426,8 @@ impl<'a> Maker<'a> {
         let request = self.request;
         let mut all: Vec<(Topology, Quads)> = Vec::new();
         let (mut kinds, mut moved) = (None, Vec::new());
+        self.reach(j)?;
+        let mut faces: Vec<u32> = (0..self.levels[j].topology.face_count()).collect();
         loop {
             let at = j + all.len();
             self.reach(at)?;
@@ -443,10 +445,10 @@ impl<'a> Maker<'a> {
                 Some(known) => merged(known, &own, of_vertex),
             };
             let quads = Quads::new(&level.topology, &level.positions, &own, of_vertex);
-            let done = quads.all_ready(&level.topology);
+            faces = quads.children_of_waiting(&level.topology, &faces);
             kinds = Some(own);
             all.push((level.topology.clone().into_owned(), quads));
-            if done {
+            if faces.is_empty() {
                 break;
             }
             self.reach(at + 1)?;
@@ -468,6 +470,7 @@ impl<'a> Maker<'a> {
         let request = self.request;
         let mut all: Vec<Quarters> = Vec::new();
         let (mut kinds, mut moved): (Option<Kinds>, _) = (None, Vec::new());
+        let mut waiting: Option<Vec<u32>> = None;
         loop {
             let at = j + all.len();
             self.reach(at)?;
@@ -479,7 +482,17 @@ impl<'a> Maker<'a> {
             };
             let topology = level.topology.clone().into_owned();
             let quarters = Quarters::new(topology, &level.positions, of_face);
-            let done = quarters.all_ready();
+            // A half-edge's own vertex has the children of its quarter.
+            let asked = match waiting {
+                None => quarters.with_surface(),
+                Some(parents) => parents
+                    .iter()
+                    .flat_map(|&h| quarters.topology.fan(h))
+                    .collect(),
+            };
+            let still = quarters.waiting(&asked);
+            let done = still.is_empty();
+            waiting = Some(still);
             kinds = Some(own);
             if let Some(coarse) = all.last() {
                 moved.push(quarters::moves(coarse, &quarters));

@@ -100,10 +100,15 @@ impl Quads {
         Some((kind, square))
     }
 
-    /// Whether all faces are ready.
-    pub fn all_ready(&self, topology: &Topology) -> bool {
-        let mut faces = 0..topology.face_count();
-        faces.all(|f| self.ready(topology.corners(f)).is_some())
+    /// The children of those of some faces that have to wait.
+    pub fn children_of_waiting(&self, topology: &Topology, faces: &[u32]) -> Vec<u32> {
+        let waits = |&&f: &&u32| self.ready(topology.corners(f)).is_none();
+        // The children of a face are numbered by its corners.
+        faces
+            .iter()
+            .filter(waits)
+            .flat_map(|&f| topology.halfedges(f))
+            .collect()
     }
 }
 

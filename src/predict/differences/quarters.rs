@@ -96,10 +96,16 @@ impl Quarters {
         Some((self.kinds[face], largest))
     }
 
-    /// Whether all quarters with a surface are ready.
-    pub fn all_ready(&self) -> bool {
-        let mut all = (0..self.topology.halfedge_count()).filter(|&h| self.has_surface(h));
-        all.all(|h| self.ready(h).is_some())
+    /// Those with a surface over them.
+    pub fn with_surface(&self) -> Vec<u32> {
+        let all = 0..self.topology.halfedge_count();
+        all.filter(|&h| self.has_surface(h)).collect()
+    }
+
+    /// Those of some quarters that have to wait.
+    pub fn waiting(&self, quarters: &[u32]) -> Vec<u32> {
+        let waits = |h: &u32| self.ready(*h).is_none();
+        quarters.iter().copied().filter(waits).collect()
     }
 }
 

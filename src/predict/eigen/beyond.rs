@@ -1,68 +1,82 @@
 //! The distances μ at levels beyond the table, by a recurrence in the level.
 //!
-//! **Theorem.** Let e be the spline of a mode with eigenvalue λ, s >= l = [`BASE`] a level, and
+//! **Theorem.** Let e be the spline of a mode with eigenvalue λ, and s >= l = [`BASE`] a level. With
 //!
 //! ```text
-//! R = max over the triangles T of level l in ring 0 of  M_T(z) + δ_T M_T(χ),    z = y - A_T(X).
+//! R = max over the triangles T of level l in ring 0 of  E(β) + C M_T(z - q) + C δ_T M_T(χ),    z = y - A(X),
 //! ```
 //!
-//! Then `μ(m + 1) <= max(|λ| μ(m), C_0(6) 4^-(m+1-l) R)` for m + 1 >= l; for limit meshes with B_0(6).
+//! `μ(m + 1) <= max(|λ| μ(m), 4^-(m+1-l) R)` for m + 1 >= l.
 //!
 //! | symbol | meaning |
 //! |---|---|
+//! | C | C_0(6), or B_0(6) for limit meshes ([`super::regular`]) |
 //! | X, y | the control points of level l of the characteristic map χ and of the mode |
-//! | A_T | an affine function of the plane; any will do, taken is about the one with `A_T(X) = y` at the corners of T |
-//! | N(T) | the lattice points within two steps of a corner of T, of the sector and of the rows beside its rays |
+//! | A | an affine function of the plane; any will do, taken is about the one with `A(X) = y` at the corners of T |
+//! | N(T) | the lattice points within two steps of a corner of T, in the sector or in the rows beside its rays |
 //! | M_T | the largest second difference of the 15 edges at the corners of T |
+//! | q, β | a quadratic polynomial on the lattice with second differences β_k, k = 0, 1, 2, of the edges of the three directions; any will do |
+//! | E(β) | how far the spline of q is from its mesh: below |
 //! | a_k, f_k, k = 1, 2 | the largest steps of X and of z along edges of N(T) in the direction (1,0), (0,1) |
 //! | D_T | the least determinant of a step of X in the direction (1,0) and one in the direction (0,1) |
 //! | δ_T | `(f_1 a_2 + f_2 a_1) / D_T` |
 //!
-//! It is used where all D_T > 0 and `C_0(6) M_T(χ) (a_1 + a_2) < D_T`, which is found to be so.
+//! It is used where all D_T > 0 and `C M_T(χ) (a_1 + a_2) < D_T`, which is checked.
 //!
 //! **What is bounded** is what the table bounds: at each point σ of S_n, |e(σ) - E_m| at *one* point of
 //! the level-m facets, the same for all modes, that lies over χ(σ). Only so do the distances of modes add
 //! up, and only so have the constant and χ none. To compare each patch with the facet of the same
-//! parameters is simpler, but there χ has a distance, of the order λ_1^m near the centre, and λ_1 is larger
-//! than what an estimate should fall by.
+//! parameters is simpler, but there χ has a distance itself, and that falls by λ_1 from level to level, more slowly
+//! than an estimate should.
 //!
 //! **Proof.** *Scaling* ([`crate::spectrum::eigenspline`]): over the rings r >= 1 the level-(m+1) mesh of y
-//! is the level-m mesh of Ay = λy. What is left is ring 0 at a level s >= l. Let T_s be one of its triangles of level
-//! s, in T.
+//! is the level-m mesh of Ay = λy. What is left is ring 0 at a level s >= l. Let T_s be one of its triangles of
+//! level s, in T.
 //!
-//! *Means.* A point of level s + 1 within two steps of a corner of a part of T_s is a mean of points
-//! of level s within two steps of a corner of T_s: such a point is at most one step of level s from the
-//! corner, and a mask reaches one step further. Masks of radius <= 2^(s+1) + 2 end at 2^s + 2, and those
-//! of a row beside a ray do not leave it. With Δ the step in the direction (1,0) from a point, 2 times the step
-//! of the next level is
+//! *Means.* The points of level s + 1 within two steps of a corner of a part of T_s are means of points of level
+//! s within two steps of a corner of T_s: such a point is at most one step of level s from the corner, and a mask
+//! reaches one step further. From radius 2^(s+1) + 2 masks reach 2^s + 2 at most, and from the row beside a
+//! ray no further than that row. With Δ[p,q] the step from (p,q) in the direction (1,0), twice a step of the next
+//! level is
 //!
 //! ```text
-//! (5 Δ[0,0] + Δ[-1,0] + Δ[-1,1] + Δ[0,-1]) / 8    from the vertex (0,0) to the middle of its edge,
-//! (4 Δ[0,0] + 2 Δ[0,1] + 2 Δ[1,-1] ...) / 8       from the middle of an edge to that of another,
+//! (5 Δ[0,0] + Δ[-1,0] + Δ[-1,1] + Δ[0,-1]) / 8    from a vertex (0,0) to the middle of its edge,
+//! (4 Δ[0,0] + 2 Δ[0,1] + 2 Δ[-1,1]) / 8           from the middle of (0,0)(0,1) to that of (1,0)(0,1):
 //! ```
 //!
-//! and likewise in the other direction: a mean of steps in the same direction. So is the step between limit
-//! points, `Δ/2 + (Σ of six)/12`. Hence 2^(s-l) times the steps of level s, of control points or limit points
-//! within one step of T_s, lie in the hulls of the steps in N(T), and so do the derivatives of χ there.
+//! a mean of steps in the same direction; likewise in the other one, and from middles to vertices. So
+//! is the step between limit points, `Δ/2 + (Σ of six)/12`. Hence 2^(s-l) times the steps of level s between control
+//! points or limit points within one step of T_s lie in the hulls of the steps in N(T).
 //!
 //! *Facets near T_s.* Let U be the facets of the sector that have a corner in common with T_s: a
-//! convex part of the lattice, on which X_s is affine by pieces. For two of its points `X_s(b) - X_s(a)` is
-//! α u + β v with `b - a = (α, β)` and u, v in those hulls, `det(u, v) > 0`: X_s is injective on U. On each
-//! facet z has a gradient g with `g u = Δ_1 z`, `g v = Δ_2 z`, thus |g| <= δ_T: the hulls are convex, the
-//! determinant is affine in each of u, v. Where U touches a ray, steps along the ray are among the u, so all v point
-//! to the sector's side of it, and the facets of U as well as χ stay on that side.
+//! convex part of the lattice, on which X_s is affine by pieces. For two of its points with `b - a = (α, β)` is
+//! `X_s(b) - X_s(a) = α u + β v`, u and v in those hulls up to scale, `det(u, v) > 0`: X_s is injective on U. On each
+//! facet z has a gradient g with `g u = Δ_1 z`, `g v = Δ_2 z`, thus `|g| <= δ_T`: the determinant is affine in
+//! each of u, v. At a ray, steps along the ray are among the u or v, so that all others point to the sector's
+//! side of it: the facets of U stay in the wedge of the sector, as χ does.
 //!
-//! *Matching.* Let σ be in T_s and x the point of the facet T_s with the same parameters. By
-//! [`super::regular`] `|χ(σ) - x| <= d = C_0(6) 4^-(s-l) M_T(χ)`. The function that is affine on each facet of
-//! U, 1 at the corners of T_s and 0 at the other vertices, falls at most at the rate 1/h, h the least altitude of a
-//! facet; `h >= 2^-(s-l) D_T / (a_1 + a_2) > d`. So the segment from x to χ(σ), followed facet by facet, ends
-//! within U, at the one point of U over χ(σ): that is the point meant above. For the spline z(σ) = e(σ) -
-//! A_T(χ(σ)) and its mesh Z
+//! *Matching.* Let σ be in T_s and x the point of the facet T_s with the same parameters:
+//! `|χ(σ) - x| <= d = C 4^-(s-l) M_T(χ)`. The function that is affine on each facet of U, 1 at the corners of
+//! T_s and 0 at the other vertices, falls at most at the rate 1/h, h the least altitude of a facet;
+//! `h >= 2^-(s-l) D_T / (a_1 + a_2) > d`. So the segment from x to χ(σ), followed facet by facet, ends within U, at
+//! the one point of U over χ(σ): that is the point meant above. With the mesh Z of z
 //!
 //! ```text
-//! |e(σ) - E(χ(σ))| = |z(σ) - Z(χ(σ))| <= |z(σ) - Z(x)| + |Z(x) - Z(χ(σ))|
-//!                 <= C_0(6) 4^-(s-l) M_T(z) + δ_T d.
+//! |e(σ) - E(χ(σ))| = |z(σ) - Z(χ(σ))| <= |z(σ) - Z(x)| + |Z(x) - Z(χ(σ))|,    the latter at most δ_T d.
 //! ```
+//!
+//! *Nearly quadratic.* z = q + (z - q), and the distance of z - q is at most `C 4^-(s-l) M_T(z - q)`. The second
+//! difference of q along an edge of direction k is `-(β_i + β_j)`, {i, j, k} = {0, 1, 2}; so masks add
+//! `-(β_0 + β_1 + β_2)/8` to q in the first step, at vertices and at middles of edges alike, and a quarter of that in each
+//! further one: its second differences of level s are 4^-(s-l) β, and limit points are `-(β_0 + β_1 + β_2)/6`
+//! off. At the barycentric coordinates t of a facet, spline less mesh is 4^-(s-l) times
+//!
+//! ```text
+//! -Σ w(t_k) β_k,    w(t) = 1/6 - t (1 - t)/2,  without 1/6 for limit meshes.
+//! ```
+//!
+//! E(β) is the largest magnitude at the points with multiples of 1/N, and `max |β_i + β_j| / (6 N^2)` for those
+//! between: so far is a quadratic polynomial with these second differences from its linear interpolant.
 //!
 //! *A generalised mode* (n = 3), `Ay = λy + κf`, f = Σ of the modes Ray: its level-(m+1) distance over the rings
 //! r >= 1 is at most `|λ| μ(m) + |κ| 2 μ_ray(m)`, as two of the modes Ray have values in a sector.
@@ -70,13 +84,14 @@
 //! Which facets may lie beyond S_n is the same question as for the table, see [`super::inside`]. Source:
 //! derived here; the scaling is Peters & Wu's Lemma 3.
 
+use num_traits::Zero;
 use rayon::prelude::*;
 
 use super::kernel::ModeWeights;
 use super::regular;
 use super::table;
 use crate::bound::Against;
-use crate::scalar::Interval;
+use crate::scalar::{Field, Interval, Ring};
 use crate::scheme::LoopWeights;
 use crate::spectrum::eigenspline::complex::Complex;
 use crate::spectrum::eigenspline::lattice::{Lattice, Levels, NEIGHBOURS, Place, Triangle};
@@ -87,12 +102,14 @@ use crate::spectrum::eigenspline::plane::ring;
 /// The level l whose nets are looked at.
 pub const BASE: usize = 6;
 
+/// N of E(β).
+const PARTS: i64 = 8;
+
 type Value = Complex<Interval>;
 
 /// What the recurrence of a valence needs.
 #[derive(Clone, Debug)]
 pub struct Recurrence {
-    against: Against,
     /// Upper bounds of |λ|.
     eigenvalues: ModeWeights,
     /// Upper bounds of R.
@@ -106,26 +123,29 @@ impl Recurrence {
     ///
     /// `None` if a determinant is not shown to be large enough.
     pub fn new(weights: LoopWeights, n: u32, against: Against) -> Option<Self> {
+        let constant = regular::factor(against, 0);
+        if regular::factor(against, 1) != constant / 4.0 {
+            return None;
+        }
         let (chi, modes) = nets::<Interval>(weights, n)?;
         let chi = Levels::new(&chi, None, BASE);
-        let pieces = ring(BASE);
-        let pieces = (pieces.into_par_iter())
-            .map(|triangle| Piece::new(chi.level(BASE, 0), triangle, against))
-            .collect::<Option<Vec<_>>>()?;
+        let mesh = Mesh::new(against, Interval::point(constant));
+        let pieces = ring(BASE).into_par_iter();
+        let pieces = pieces.map(|triangle| Piece::new(chi.level(BASE, 0), triangle, &mesh));
+        let pieces = pieces.collect::<Option<Vec<_>>>()?;
         let chained = modes.iter().find(|net| net.label == CHAINED);
         let chained = chained.map(|net| Levels::new(net, None, BASE));
         let outer = modes.par_iter().map(|net| {
             let chain = chained.as_ref().zip(net.kappa.as_ref());
             (
                 net.label,
-                outer(net, &Levels::new(net, chain, BASE), &pieces),
+                outer(net, &Levels::new(net, chain, BASE), &pieces, &mesh),
             )
         });
         let outer: Vec<_> = outer.collect();
         let eigenvalues = modes.iter().map(|net| (net.label, net.eigenvalue.mag()));
         let chain = modes.iter().filter_map(|net| net.kappa);
         Some(Recurrence {
-            against,
             eigenvalues: table::complete(n, eigenvalues)?,
             outer: table::complete(n, outer.into_iter())?,
             chain: chain.fold(0.0, |most, kappa| most.max(kappa.mag())),
@@ -138,7 +158,9 @@ impl Recurrence {
     /// If m + 1 < [`BASE`].
     pub fn next(&self, distances: &ModeWeights, m: u32) -> ModeWeights {
         let steps = (m + 1).checked_sub(BASE as u32);
-        let factor = regular::factor(self.against, steps.expect("a level with known triangles"));
+        let steps = steps.expect("a level with known triangles");
+        // Exact.
+        let factor = 0.25_f64.powi(steps as i32);
         let step = |lambda: f64, mu: f64, outer: f64, more: f64| {
             let inner = ((lambda * mu).next_up() + more).next_up();
             inner.max((factor * outer).next_up())
@@ -163,6 +185,38 @@ impl Recurrence {
     }
 }
 
+/// The mesh that distances are measured from.
+#[derive(Debug)]
+struct Mesh {
+    /// C.
+    constant: Interval,
+    /// w at the three barycentric coordinates of the points of E(β).
+    weights: Vec<[Interval; 3]>,
+}
+
+impl Mesh {
+    fn new(against: Against, constant: Interval) -> Self {
+        let corner = match against {
+            Against::Control => Interval::ratio(1, 6),
+            Against::Limit => Interval::from_integer(0),
+        };
+        let weight = |i: i64| corner - Interval::ratio(i * (PARTS - i), 2 * PARTS * PARTS);
+        let points = (0..=PARTS).flat_map(|i| (0..=PARTS - i).map(move |j| [i, j, PARTS - i - j]));
+        Mesh {
+            constant,
+            weights: points.map(|point| point.map(weight)).collect(),
+        }
+    }
+
+    /// E(β).
+    fn quadratic(&self, beta: &[Value; 3]) -> Interval {
+        let [x, y, z] = beta;
+        let at = |[u, v, w]: &[Interval; 3]| *x * u + *y * v + *z * w;
+        let between = largest([*x + y, *y + z, *z + x].into_iter());
+        largest(self.weights.iter().map(at)) + between * Interval::ratio(1, 6 * PARTS * PARTS)
+    }
+}
+
 /// A triangle of level l and what is needed of χ near it.
 #[derive(Debug)]
 struct Piece {
@@ -183,7 +237,7 @@ struct Piece {
 
 impl Piece {
     /// `None` if the determinant is not shown to be large enough.
-    fn new(chi: &Lattice<Interval>, triangle: Triangle, against: Against) -> Option<Self> {
+    fn new(chi: &Lattice<Interval>, triangle: Triangle, mesh: &Mesh) -> Option<Self> {
         let around = around(triangle);
         let steps = [0, 1].map(|k| {
             let edges = (around.iter())
@@ -201,7 +255,7 @@ impl Piece {
             (steps[0].iter()).flat_map(|(_, u)| steps[1].iter().map(|(_, v)| u.cross(v).inf()));
         let determinant = Interval::point(crosses.fold(f64::INFINITY, f64::min));
         let second_difference = largest(bends.iter().map(|(_, _, x)| *x));
-        let away = Interval::point(regular::factor(against, 0)) * second_difference;
+        let away = mesh.constant * second_difference;
         let enough = (away * (longest[0] + longest[1])).sup() < determinant.inf();
         enough.then_some(Piece {
             triangle,
@@ -214,25 +268,30 @@ impl Piece {
         })
     }
 
-    /// `M_T(z) + δ_T M_T(χ)`.
-    fn outer(&self, y: &Lattice<Interval>) -> f64 {
-        let [gx, gy] = self.gradient(edges(y, self.triangle)).map(|g| Complex {
-            re: Interval::point(g.re),
-            im: Interval::point(g.im),
-        });
+    /// `E(β) + C M_T(z - q) + C δ_T M_T(χ)`.
+    fn outer(&self, y: &Lattice<Interval>, mesh: &Mesh) -> f64 {
+        let point = |z: Complex<f64>| Complex {
+            re: Interval::point(z.re),
+            im: Interval::point(z.im),
+        };
+        let [gx, gy] = self.gradient(edges(y, self.triangle)).map(point);
         // A difference of z from those of y and X.
         let z = |y: Value, x: &Value| y - &(gx * &x.re + gy * &x.im);
-        let bends = self.bends.iter();
-        let bends = largest(bends.map(|(place, k, x)| z(bend(y, *place, *k), x)));
         let [f, g] = [0, 1].map(|k| {
             let steps = self.steps[k].iter();
             largest(steps.map(|(place, x)| z(step(y, *place, k), x)))
         });
         let slope = (f * self.longest[1] + g * self.longest[0]) / self.determinant;
-        (bends + slope * self.second_difference).sup()
+        let bends = self.bends.iter();
+        let bends = bends.map(|(place, k, x)| (k % 3, z(bend(y, *place, *k), x)));
+        let bends: Vec<(usize, Value)> = bends.collect();
+        let beta = [0, 1, 2].map(|k| point(middle(&bends, k)));
+        let rest = largest(bends.iter().map(|(k, bend)| *bend - &beta[*k]));
+        let second_differences = rest + slope * self.second_difference;
+        (mesh.quadratic(&beta) + mesh.constant * second_differences).sup()
     }
 
-    /// The linear part of A_T along x and along y, about, from what it is along the edges u, v: p, q.
+    /// The linear part of A along x and along y, about, from what it is along the edges u, v: p, q.
     fn gradient(&self, [p, q]: [Complex<f64>; 2]) -> [Complex<f64>; 2] {
         let [u, v] = self.edges;
         let inverse = 1.0 / u.cross(&v);
@@ -244,15 +303,28 @@ impl Piece {
 }
 
 /// R.
-fn outer(net: &Net<Interval>, y: &Levels<Interval>, pieces: &[Piece]) -> f64 {
+fn outer(net: &Net<Interval>, y: &Levels<Interval>, pieces: &[Piece], mesh: &Mesh) -> f64 {
     let symmetric = net.label.is_mirror_symmetric();
     let counted = |piece: &&Piece| !symmetric || piece.triangle.p >= piece.triangle.q;
     let over = |sector: usize| {
         let y = y.level(BASE, sector);
-        let values = pieces.iter().filter(counted).map(|piece| piece.outer(y));
+        let values = pieces
+            .iter()
+            .filter(counted)
+            .map(|piece| piece.outer(y, mesh));
         values.fold(0.0, f64::max)
     };
     (0..net.label.sectors()).map(over).fold(0.0, f64::max)
+}
+
+/// The middle of the smallest box around the second differences of a direction, about.
+fn middle(bends: &[(usize, Value)], direction: usize) -> Complex<f64> {
+    let own = bends.iter().filter(|(k, _)| *k == direction);
+    let hull = own.map(|(_, z)| *z).reduce(|a, b| Complex {
+        re: a.re.hull(b.re),
+        im: a.im.hull(b.im),
+    });
+    hull.map_or_else(Complex::zero, |hull| hull.mid())
 }
 
 /// The edges from corner 0 of a triangle to the others, about.

@@ -2,6 +2,10 @@
 //!
 //! A kernel belongs to a valence; it has flat arrays only, and nothing is allocated per vertex.
 //!
+//! **A generalised mode** (n = 3) is determined up to a multiple of f = Σ of the modes Ray. Distances belong to the one
+//! whose b_j are 0 ([`crate::spectrum::eigenspline::mode`]), `v - b f` for the spectrum's v with b_j = b; as
+//! `p v = p (v - b f) + Σ p b ray_j`, the coefficients of the modes Ray are those of the spectrum and p b.
+//!
 //! # The rounding bound
 //!
 //! In the standard model of [`crate::scalar::float`], u = 2^-53. Left eigenvectors L of the modes that
@@ -108,6 +112,14 @@ impl Kernel {
             }
             for (part, &member) in members.iter().enumerate() {
                 let mut row = spectrum.left(member);
+                if mode.family == Family::Ray {
+                    for (v, of) in modes.iter().filter(|(v, _)| v.generalised.is_some()) {
+                        let left = spectrum.left(of[0]);
+                        row.iter_mut()
+                            .zip(&left)
+                            .for_each(|(x, p)| *x += *p * v.ray);
+                    }
+                }
                 if mode.family == Family::Ring && part == 1 {
                     // The odd net is Im v / sin: the coefficient of Im v itself is divided by the sine.
                     let sine = spectrum.sine_squared(mode.frequency).sqrt()?;
