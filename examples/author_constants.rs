@@ -45,6 +45,9 @@ const SMALL: u32 = 12;
 /// Levels of distances at large valences.
 const SHALLOW: usize = 3;
 
+/// Levels of distances at valence 3, where the number of parts doubles with the level.
+const OF_THREE: usize = 6;
+
 /// Relative gap of the enclosures.
 const GAP: f64 = 1e-3;
 
@@ -71,14 +74,15 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn table(family: Family) -> Result<String, Box<dyn Error>> {
-    let small: Vec<u32> = (3..=SMALL).collect();
+    let small: Vec<u32> = (4..=SMALL).collect();
     let largest = match family {
         Family::DooSabin => MOST_SIDES,
         _ => LARGEST,
     };
     let large: Vec<u32> = (SMALL + 1..=largest).collect();
-    let text = rows(family, &large, SHALLOW)?;
-    Ok(rows(family, &small, DEEPEST)? + &text)
+    let three = rows(family, &[3], OF_THREE)?;
+    let small = rows(family, &small, DEEPEST)?;
+    Ok(three + &small + &rows(family, &large, SHALLOW)?)
 }
 
 /// The lines of some valences, distances to the level `deepest`.

@@ -6,7 +6,7 @@
 //! |---|---|
 //! | regular | D_0 4^-k |
 //! | interior, valence n (Doo-Sabin: a face of n sides) in the table | proved levels, then the recurrence |
-//! | others of Loop and Catmull-Clark | level 0 from [`super::star`], then the recurrence |
+//! | others of Loop and Catmull-Clark | levels to 16 from [`super::star`], then the recurrence |
 //!
 //! **Recurrence.** After j steps the part of the face at the vertex is a ready face with M_j <= r_j M. The
 //! regular faces that step i + 1 <= j sets free have M <= R r_i M, and K - i - 1 more steps to go. The level-K
@@ -122,7 +122,7 @@ pub fn beside(scheme: Scheme, vertex: Vertex) -> f64 {
         return entry.beside;
     }
     let star = lattice(scheme).and_then(|lattice| Star::new(scheme, vertex, lattice));
-    star.map_or(f64::INFINITY, |star| star.beside)
+    star.map_or(f64::INFINITY, |star| star.rates[1])
 }
 
 /// D_0, .., D_[`DEEPEST`] of a vertex, rounded upward; infinite where nothing is proved (Doo-Sabin: limit
@@ -151,11 +151,11 @@ pub fn distances(scheme: Scheme, against: Against, vertex: Vertex) -> Vec<f64> {
     let star = lattice(scheme).and_then(|lattice| Star::new(scheme, vertex, lattice));
     match star {
         Some(star) => {
-            let first = match against {
+            let list = match against {
                 Against::Control => star.control,
                 Against::Limit => star.limit,
             };
-            continued(scheme, vec![first], &star.rates, star.beside, start)
+            continued(scheme, list, &star.rates, star.rates[1], start)
         }
         None => unproved(),
     }

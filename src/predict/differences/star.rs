@@ -42,12 +42,28 @@
 //! Catmull-Clark:  o_(i+1) <= max(σ_(i+1) + t_i + r_i/4, r_i/4).
 //! ```
 //!
-//! Regular faces beside the vertex have M <= R M with R = max(s_1, o_1).
+//! Faces that step i + 1 sets free have M <= r_(i+1); R = r_1.
 //!
 //! **Distances.** F_(i+1) - F_i is affine (bilinear) on each child, 0 at new centres of quads, so at most
-//! the largest of: t_i at a; 1/8 of a difference at an edge's middle; at a regular vertex 6/16 (Loop) or 1/4
-//! (Catmull-Clark) of a difference. Summed over the steps this bounds |S - F_0|, and a level-K mesh over the
-//! face is the level-(K-i) mesh of its parts ([`Star::control`]).
+//! the largest of: t_i at a; 1/8 of a difference at an edge's middle; v_i at a regular vertex. Any regular vertex
+//! has v_0 = 6/16 (Loop) or 1/4 (Catmull-Clark) of M. From level 1 on those near a are middles of edges (a, x), or
+//! centres of quads, and their differences, summed by the identities above, leave
+//!
+//! ```text
+//! Loop:           16 v_(i+1) = |1/4 α_x + 1/8 (four edges) + t_a + t_x| <= 9/8 r_i + t_i,
+//! Catmull-Clark: 128 v_(i+1) = |14 (t_a + t_x) + ρ'_a + ρ'_x + φ + φ'| <= 14 (t_i + r_i/4) + s_(i+1) + 3/4 r_i,
+//!     at centres               |14 (φ + φ') + Σ κ| <= 7 r_i + 4 r_(i+1),
+//! ```
+//!
+//! φ = 2f - e - e' <= r_i/4 and κ = 2e - a' - x'. So with n_i = max(t_i, r_i/8) and D the constant of regular faces
+//!
+//! ```text
+//! |S - F_K| <= n_K + .. + n_(i-1) + max(n_i, v_i) + D r_(i+1)     where step i + 1 > K frees a face,
+//! |S - F_K| <= D r_(i+1) 4^-(K-i-1)                               where step i + 1 <= K does,
+//! ```
+//!
+//! and over the face of level s that is left, n_K + .. + n_(s-1) and r_s times the constant at K = 0, which is
+//! so bounded by itself. To limit meshes: and the largest distance of a vertex of level K to its limit.
 //!
 //! Source: derived here. Each identity is tested against refined meshes.
 
@@ -84,12 +100,10 @@ pub struct Rows {
 pub struct Star {
     /// r_i, i = 0..[`STEPS`].
     pub rates: Vec<f64>,
-    /// R: one step, regular faces beside the vertex.
-    pub beside: f64,
-    /// |S - F_0|.
-    pub control: f64,
-    /// |S - L_0|, L_0 the mesh of limit positions.
-    pub limit: f64,
+    /// |S - F_K|, K = 0..[`STEPS`].
+    pub control: Vec<f64>,
+    /// |S - L_K|, L_K the mesh of limit positions.
+    pub limit: Vec<f64>,
 }
 
 /// Room for the roundings of a whole system: absolute, all quantities being of size 1 at most 2.
@@ -133,30 +147,71 @@ impl Star {
             others = up(crossing.max(ghost).max(rate / 4.0));
             rates.push(rows[i + 1].all.max(others));
         }
-        let beside = rates[1];
-        // |F_(i+1) - F_i| over the child at the vertex, and over regular faces beside it.
-        let near = |i: usize| rows[i].step.max(rates[i] / 8.0);
-        let (mut walked, mut control) = (0.0_f64, 0.0_f64);
-        for i in 0..STEPS {
-            let beside_it = near(i).max(lattice.step * rates[i]);
-            let there = walked + beside_it + lattice.control * beside * rates[i];
-            control = up(control.max(there));
-            walked = up(walked + near(i));
-        }
-        // The child of level STEPS is a face like the first one: C <= walked + r C.
+        let moves: Vec<Moves> = (0..STEPS)
+            .map(|i| {
+                let near = rows[i].step.max(rates[i] / 8.0);
+                let regular = match i.checked_sub(1) {
+                    None => lattice.step,
+                    Some(j) if is_loop => (1.125 * rates[j] + rows[j].step) / 16.0,
+                    Some(j) => {
+                        let spoke = 14.0 * (rows[j].step + rates[j] / 4.0);
+                        let middle = spoke + rows[i].all + 0.75 * rates[j];
+                        let centre = 7.0 * rates[j] + 4.0 * rates[i];
+                        middle.max(centre) / 128.0
+                    }
+                };
+                let freed = near.max(regular) + lattice.control * rates[i + 1];
+                Moves {
+                    near: up(near),
+                    freed: up(freed),
+                }
+            })
+            .collect();
+        // From level K on: over the faces that are set free, and what is walked to the one that is left.
+        let from = |k: usize| {
+            let (mut walked, mut largest) = (0.0_f64, 0.0_f64);
+            for step in &moves[k..] {
+                largest = largest.max(walked + step.freed);
+                walked += step.near;
+            }
+            [largest, walked].map(|x| x * (1.0 + gamma(64)))
+        };
         let last = rates[STEPS];
-        control = match last < 1.0 {
-            true => control.max(up(up(walked) / (1.0 - last).next_down())),
+        let [freed, walked] = from(0);
+        let first = match last < 1.0 {
+            true => freed.max(up(walked / (1.0 - last).next_down())),
             false => f64::INFINITY,
         };
-        let to_limit = limit_step(scheme, vertex).max(lattice.limit);
+        let lattice_at = |k: usize| {
+            let freed = (1..=k).map(|i| rates[i] * 0.25f64.powi((k - i) as i32));
+            freed.fold(0.0, f64::max)
+        };
+        let control = |k: usize| {
+            let [freed, walked] = from(k);
+            let left = up(walked + last * first);
+            freed.max(left).max(up(lattice.control * lattice_at(k)))
+        };
+        let control: Vec<f64> = (0..=STEPS)
+            .map(|k| if k == 0 { first } else { control(k) })
+            .collect();
+        let to_limit = |k: usize| {
+            let regular = lattice.limit * lattice_at(k).max(rates[k]);
+            (limit_step(scheme, vertex) * rates[k]).max(regular)
+        };
         Some(Star {
+            limit: (0..=STEPS)
+                .map(|k| up(control[k] + up(to_limit(k))))
+                .collect(),
             rates,
-            beside,
             control,
-            limit: up(control + to_limit),
         })
     }
+}
+
+/// How far the mesh moves in a step, over the face that stays, and over those set free with all further steps.
+struct Moves {
+    near: f64,
+    freed: f64,
 }
 
 /// Rounded upward after a few operations on numbers of size 1.
