@@ -188,8 +188,12 @@ fn single(n: u32) -> Option<bool> {
         .iter()
         .filter(|(m, _)| m.family == Family::Ring && m.frequency != 1);
     let (mut norms, mut sums) = (Norms::default(), Vec::new());
-    Some(ring.zip(&distances.ring).all(|((_, members), mu)| {
-        let z = spectrum.net(members[0]);
+    Some(ring.zip(&distances.ring).all(|((mode, members), mu)| {
+        let mut z = spectrum.net(members[0]);
+        if mode.generalised.is_some() {
+            // The one that is tabulated.
+            z[1 + 2 * n as usize..].fill(0.0);
+        }
         let mut net: Vec<[f64; 3]> = (0..z.len()).map(|i| [chi[0][i], chi[1][i], z[i]]).collect();
         kernel.norms(&mut net, 0.0, &mut norms);
         kernel.sums(&norms, &distances, Sum::BySector, &mut sums);

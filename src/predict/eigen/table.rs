@@ -11,8 +11,8 @@ use crate::scheme::LoopWeights;
 use crate::spectrum::eigenspline::mode::{Label, ModeFamily};
 use crate::spectrum::eigenspline::{self, table};
 
-/// The largest valence whose distances are known. Those up to 30 are in the file of [`table`]; each further one
-/// takes some 20 seconds on a busy pair of cores at its first use.
+/// The largest valence whose distances are known. Those up to 30 are in the file of [`table`]; each further
+/// valence takes less than a minute on two cores when it is first met.
 pub const LARGEST: u32 = 64;
 
 /// The deepest level in the table.
@@ -33,7 +33,7 @@ type Known = OnceLock<Mutex<BTreeMap<Key, Levels>>>;
 /// Upper bounds of μ_i(m) for the modes of valence n that count, 3 <= n <= [`LARGEST`], m <= [`LAST`].
 ///
 /// Up to [`DEEPEST`] they are those of [`table::upper`]; what that table lacks is enclosed when it is
-/// first asked for ([`eigenspline::distances`]), which takes seconds. Beyond, the recurrence of
+/// first asked for ([`eigenspline::distances`]). Beyond, the recurrence of
 /// [`super::beyond`] goes on from level [`DEEPEST`].
 ///
 /// `None` beyond these valences and levels, or where the distances can't be enclosed.
