@@ -100,7 +100,7 @@ enum Children {
 
 #[derive(Clone, Debug)]
 enum Faces<'a> {
-    Triangles(Triangles<'a>),
+    Triangles(Box<Triangles<'a>>),
     Quads(QuadLevels),
     Quarters(QuarterLevels),
 }
@@ -410,12 +410,8 @@ impl<'a> Maker<'a> {
                     ),
                 };
                 let children = Children::Shift(2 * from as u32);
-                Ok(Stage::new(
-                    Faces::Triangles(triangles),
-                    kinds,
-                    outward,
-                    children,
-                ))
+                let faces = Faces::Triangles(Box::new(triangles));
+                Ok(Stage::new(faces, kinds, outward, children))
             }
             Scheme::CatmullClark => self.quads(j),
             Scheme::DooSabin => self.quarters(j),

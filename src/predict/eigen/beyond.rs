@@ -36,7 +36,7 @@
 //! *Means.* The points of level s + 1 within two steps of a corner of a part of T_s are means of points of level
 //! s within two steps of a corner of T_s: such a point is at most one step of level s from the corner, and a mask
 //! reaches one step further. From radius 2^(s+1) + 2 masks reach 2^s + 2 at most, and from the row beside a
-//! ray no further than that row. With Δ[p,q] the step from (p,q) in the direction (1,0), twice a step of the next
+//! ray no further than that row. With `Δ[p,q]` the step from (p,q) in the direction (1,0), twice a step of the next
 //! level is
 //!
 //! ```text
