@@ -229,7 +229,7 @@ fn fan(n: usize, open: bool, quads: bool) -> (Vec<u32>, Vec<u32>, usize) {
 }
 
 fn nets() -> impl Strategy<Value = (Mesh, bool)> {
-    let shape = (3usize..13, any::<bool>(), any::<bool>(), any::<bool>());
+    let shape = (3usize..31, any::<bool>(), any::<bool>(), any::<bool>());
     shape.prop_flat_map(|(n, open, quads, extreme)| {
         let n = if open { n - 2 } else { n };
         let (start, corners, count) = fan(n, open, quads);

@@ -60,14 +60,19 @@ impl<'a> Triangles<'a> {
         of_vertex: Vec<u16>,
     ) -> Self {
         let t = topology.as_ref();
-        let of_edge = |e: usize, top: &mut [f64]| {
-            if let Some((square, [p, q])) = edge_square(t, positions, e) {
-                let [p, q] = [p as usize, q as usize];
-                top[p] = larger(top[p], square);
-                top[q] = larger(top[q], square);
+        let (origins, edges) = (t.origins(), &t.edges[..]);
+        let of_edges = |range: std::ops::Range<usize>, top: &mut [f64]| {
+            for &halves in &edges[range] {
+                if let Some((alpha, ends)) = alpha(origins, positions, halves) {
+                    let square = square(&alpha);
+                    for v in ends {
+                        let slot = &mut top[v as usize];
+                        *slot = larger(*slot, square);
+                    }
+                }
             }
         };
-        let mut vertex = by_parts(t, of_edge);
+        let mut vertex = by_parts(t, of_edges);
         boundary(t, positions, kinds, &of_vertex, 1.0, &mut vertex);
         let rate = |&v: &Vertex| beside(scheme, v).powi(2) * (1.0 + 1e-15);
         let fastest = kinds
@@ -107,7 +112,7 @@ impl<'a> Triangles<'a> {
         let alphas: Vec<Vector> = (0..t.edge_count() as usize)
             .into_par_iter()
             .with_min_len(FEW)
-            .map(|e| alpha(t, positions, e).map_or([0.0; 3], |(alpha, _)| alpha))
+            .map(|e| alpha(t.origins(), positions, t.edges[e]).map_or([0.0; 3], |(alpha, _)| alpha))
             .collect();
         let ring: Vec<f64> = kinds
             .list
@@ -202,33 +207,29 @@ fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// The vertex opposite to a half-edge of a triangle.
-#[inline]
-fn opposite(origins: &[u32], h: u32) -> u32 {
-    let corner = h % 3;
-    origins[(h - corner + (corner + 2) % 3) as usize]
+/// The vertex of a triangle that its half-edge h does not meet, P and Q being those that it does.
+#[inline(always)]
+fn opposite(faces: &[[u32; 3]], h: u32, p: u32, q: u32) -> u32 {
+    let [a, b, c] = faces[(h / 3) as usize];
+    a ^ b ^ c ^ p ^ q
 }
 
 /// α and the ends of an edge with two faces.
-#[inline]
-fn alpha(topology: &Topology, positions: &[Point<f64>], e: usize) -> Option<(Vector, [u32; 2])> {
-    let [h, twin] = topology.edge_halfedges(e as u32);
+#[inline(always)]
+fn alpha(
+    origins: &[u32],
+    positions: &[Point<f64>],
+    [h, twin]: [u32; 2],
+) -> Option<(Vector, [u32; 2])> {
     if twin == NONE {
         return None;
     }
-    let origins = topology.origins();
-    let ends = [origins[h as usize], origins[twin as usize]];
-    let at = |v: u32| &positions[v as usize].0;
-    let [p, q] = ends.map(at);
-    let (r, s) = (at(opposite(origins, h)), at(opposite(origins, twin)));
-    let difference = |i: usize| (p[i] - r[i]) + (q[i] - s[i]);
-    Some(([difference(0), difference(1), difference(2)], ends))
-}
-
-#[inline]
-fn edge_square(topology: &Topology, positions: &[Point<f64>], e: usize) -> Option<(f64, [u32; 2])> {
-    let (alpha, ends) = alpha(topology, positions, e)?;
-    Some((square(&alpha), ends))
+    let (faces, _) = origins.as_chunks::<3>();
+    let [p, q] = [origins[h as usize], origins[twin as usize]];
+    let [r, s] = [opposite(faces, h, p, q), opposite(faces, twin, p, q)];
+    let [a, b, c, d] = [p, q, r, s].map(|v| &positions[v as usize].0);
+    let difference = |i: usize| (a[i] - c[i]) + (b[i] - d[i]);
+    Some(([difference(0), difference(1), difference(2)], [p, q]))
 }
 
 #[inline]
@@ -237,7 +238,10 @@ fn square(x: &Vector) -> f64 {
 }
 
 /// A pass over edges that leaves a maximum at each vertex: parts of the edges have arrays of their own.
-fn by_parts(topology: &Topology, of_edge: impl Fn(usize, &mut [f64]) + Sync) -> Vec<f64> {
+fn by_parts(
+    topology: &Topology,
+    of_edges: impl Fn(std::ops::Range<usize>, &mut [f64]) + Sync,
+) -> Vec<f64> {
     let (edges, vertices) = (
         topology.edge_count() as usize,
         topology.vertex_count() as usize,
@@ -248,9 +252,7 @@ fn by_parts(topology: &Topology, of_edge: impl Fn(usize, &mut [f64]) + Sync) -> 
     };
     let part = |i: usize| {
         let mut top = vec![0.0_f64; vertices];
-        for e in edges * i / parts..edges * (i + 1) / parts {
-            of_edge(e, &mut top);
-        }
+        of_edges(edges * i / parts..edges * (i + 1) / parts, &mut top);
         top
     };
     if parts == 1 {
