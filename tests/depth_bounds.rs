@@ -8,6 +8,7 @@ use subcert::distance::model::Against;
 use subcert::distance::parametric::Goal;
 use subcert::mesh::{Mesh, Point, Topology, io};
 use subcert::predict::differences::{Bounds, Request};
+use subcert::refine::refine;
 use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 
 const SCHEMES: [Scheme; 4] = [
@@ -264,6 +265,30 @@ proptest! {
         };
         if request.scheme != Scheme::DooSabin || !limit {
             check(&mesh, &request, 2, "random");
+        }
+    }
+}
+
+proptest! {
+    /// Loop's step by formula against the same step taken: the lengths are the same, whatever the valences and the
+    /// boundary.
+    #[test]
+    fn a_step_by_formula_is_a_step((mesh, quads) in nets(), sharp: bool, which in 0usize..2) {
+        prop_assume!(!quads);
+        let request = |local_steps| Request {
+            scheme: SCHEMES[which],
+            corner: if sharp { CornerRule::Sharp } else { CornerRule::Smooth },
+            against: Constants::Control,
+            local_steps,
+        };
+        let fine = refine(request(0).scheme, request(0).corner, &mesh, 1).expect("triangles");
+        let table = Bounds::new(&mesh, &request(0)).expect("bounds");
+        let formula = Bounds::new(&mesh, &request(1)).expect("bounds");
+        let taken = Bounds::new(&fine, &request(0)).expect("bounds");
+        for k in 1..=6 {
+            // Of the bounds without and with the step the less counts.
+            let least = taken.at(k - 1).min(table.at(k));
+            prop_assert!((formula.at(k) - least).abs() <= 1e-12 * least, "{k}: {} {least}", formula.at(k));
         }
     }
 }

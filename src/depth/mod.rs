@@ -29,6 +29,7 @@ use std::fmt;
 
 use crate::bound::Against;
 use crate::mesh::Mesh;
+use crate::mesh::frame::printed_above;
 use crate::refine::enclosure::largest_coordinate;
 use crate::refine::{RefineError, topology};
 use crate::scheme::{CornerRule, Scheme};
@@ -98,7 +99,7 @@ pub struct Answer {
     pub depth: Option<u32>,
     /// Whether the distance after `depth` steps is proved to be at most the tolerance, in the metric asked.
     pub safe: bool,
-    /// What the method says of the distance after `depth` steps, rounded upwards.
+    /// What the method says of the distance after `depth` steps, rounded upwards, as is its shortest decimal.
     pub bound_at_depth: Option<f64>,
     /// On what it rests; why it is not safe; why there is no depth.
     pub why: String,
@@ -221,7 +222,7 @@ fn answer(context: &Context<'_>, method: Method) -> Answer {
                 method,
                 depth: Some(found.depth),
                 safe: found.safe && bounded,
-                bound_at_depth: Some(found.bound),
+                bound_at_depth: Some(printed_above(found.bound)),
                 why: match bounded {
                     true => found.why,
                     false => format!(

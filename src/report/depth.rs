@@ -5,6 +5,8 @@ use std::fmt;
 use serde_json::{Value, json as object};
 
 use crate::depth::{Answer, Request};
+use crate::scalar::Rational;
+use crate::scalar::float::decimal_above;
 
 /// The depths of a mesh and what they are about.
 #[derive(Clone, Copy, Debug)]
@@ -72,8 +74,9 @@ impl fmt::Display for Text<'_> {
         {
             Some((best, depth, bound)) => writeln!(
                 f,
-                "best       {}, the distance being at most {bound:.6e} ({})",
+                "best       {}, the distance being at most {} ({})",
                 steps(depth),
+                above(bound),
                 best.method
             )?,
             None => writeln!(f, "best       no safe depth")?,
@@ -90,7 +93,7 @@ impl fmt::Display for Text<'_> {
         for answer in self.answers {
             let depth = answer.depth.map_or("-".into(), |depth| depth.to_string());
             let bound = answer.bound_at_depth;
-            let bound = bound.map_or("-".into(), |bound| format!("{bound:.6e}"));
+            let bound = bound.map_or("-".into(), above);
             let no = match answer.depth {
                 Some(_) => "",
                 None => "no depth: ",
@@ -105,6 +108,14 @@ impl fmt::Display for Text<'_> {
         }
         Ok(())
     }
+}
+
+/// A length in seven digits that, read as a decimal, is not below it.
+fn above(length: f64) -> String {
+    // A decimal whose nearest f64 is at least the next one lies above this one.
+    let exact = Rational::from_float(length.next_up()).filter(|_| length > 0.0);
+    let upper = exact.and_then(|x| decimal_above(&x, 7).parse::<f64>().ok());
+    format!("{:.6e}", upper.unwrap_or(length))
 }
 
 /// The same as one JSON object; bounds read back exactly.
@@ -135,4 +146,18 @@ pub fn json(text: &Text<'_>) -> Value {
         "methods": text.answers.iter().map(answer).collect::<Vec<_>>(),
         "seconds": text.seconds,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::above;
+
+    #[test]
+    fn printed_lengths_are_rounded_upward() {
+        // By hand: 1/3 = 0.33333333.., and 0.25 itself would be a nearest decimal, but not above the f64.
+        assert_eq!(above(1.0 / 3.0), "3.333334e-1");
+        assert_eq!(above(0.25), "2.500001e-1");
+        assert_eq!(above(0.0), "0.000000e0");
+        assert_eq!(above(f64::INFINITY), "inf");
+    }
 }

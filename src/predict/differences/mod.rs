@@ -47,6 +47,7 @@ pub mod quads;
 pub mod quarters;
 pub mod star;
 pub mod triangles;
+mod vector;
 
 use levels::{Kinds, Largest, Lengths, Outward, Seen, Visit};
 use quads::{QuadLevels, Quads};

@@ -16,6 +16,7 @@
 use super::levels::{Kinds, Visit};
 use super::star::Vertex;
 use super::triangles::delta;
+use super::vector::{Vector, middle, minus, second, square};
 use crate::mesh::{NONE, Point, Topology};
 
 /// The squares behind M of the quads of one level, and how far faces that wait move in the next step.
@@ -149,8 +150,7 @@ impl QuadLevels {
 /// vertices, at the middles of edges and at centroids, both bilinear between.
 pub fn moves(topology: &Topology, coarse: &[Point<f64>], fine: &[Point<f64>]) -> Vec<f64> {
     let (vertices, edges) = (topology.vertex_count(), topology.edge_count());
-    let distance = |a: &[f64; 3], b: &[f64; 3]| square(&[0, 1, 2].map(|i| a[i] - b[i]));
-    let middle = |a: &[f64; 3], b: &[f64; 3]| [0, 1, 2].map(|i| 0.5 * a[i] + 0.5 * b[i]);
+    let distance = |a: &Vector, b: &Vector| square(&minus(a, b));
     let of_face = |f: u32| {
         let corners = topology.corners(f);
         let size = corners.len() as f64;
@@ -176,7 +176,7 @@ pub fn moves(topology: &Topology, coarse: &[Point<f64>], fine: &[Point<f64>]) ->
 
 /// The differences across an edge (a, x) of two quads: at a and at x.
 #[inline]
-fn across(topology: &Topology, positions: &[Point<f64>], h: u32, twin: u32) -> [[f64; 3]; 2] {
+fn across(topology: &Topology, positions: &[Point<f64>], h: u32, twin: u32) -> [Vector; 2] {
     let at = |v: u32| &positions[v as usize].0;
     let beyond = |h: u32| {
         let next = topology.next(h);
@@ -184,12 +184,5 @@ fn across(topology: &Topology, positions: &[Point<f64>], h: u32, twin: u32) -> [
     };
     let [a, x] = [topology.origin(h), topology.target(h)].map(at);
     let ([d, y], [y_twin, d_twin]) = (beyond(h), beyond(twin));
-    let second =
-        |p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]| [0, 1, 2].map(|i| (p[i] - q[i]) + (p[i] - r[i]));
     [second(a, y, y_twin), second(x, d, d_twin)]
-}
-
-#[inline]
-fn square(x: &[f64; 3]) -> f64 {
-    x[0] * x[0] + x[1] * x[1] + x[2] * x[2]
 }

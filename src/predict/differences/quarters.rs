@@ -9,6 +9,7 @@
 //! **Roundings.** As in [`super::triangles`].
 
 use super::levels::Visit;
+use super::vector::{Vector, middle, minus, second, square};
 use crate::mesh::{Point, Topology};
 
 /// The levels from the first on, until all quarters are ready.
@@ -27,7 +28,7 @@ pub struct QuarterLevels {
 pub struct Quarters {
     /// Connectivity.
     pub topology: Topology,
-    positions: Vec<[f64; 3]>,
+    positions: Vec<Vector>,
     /// Squared diameters of faces; 0 for quads.
     diameters: Vec<f64>,
     /// The kind of each face.
@@ -137,7 +138,6 @@ impl QuarterLevels {
 /// over it; both are bilinear over its four quarters.
 pub fn moves(coarse: &Quarters, fine: &Quarters) -> Vec<f64> {
     let t = &coarse.topology;
-    let middle = |a: &[f64; 3], b: &[f64; 3]| [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]));
     let of_quarter = |h: u32| {
         if !coarse.has_surface(h) {
             return 0.0;
@@ -176,7 +176,7 @@ pub fn moves(coarse: &Quarters, fine: &Quarters) -> Vec<f64> {
 }
 
 impl Quarters {
-    fn centroid(&self, f: u32) -> [f64; 3] {
+    fn centroid(&self, f: u32) -> Vector {
         let corners = self.topology.corners(f);
         let mut sum = [0.0; 3];
         for &v in corners {
@@ -186,16 +186,4 @@ impl Quarters {
         }
         sum.map(|s| s / corners.len() as f64)
     }
-}
-
-fn minus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|i| a[i] - b[i])
-}
-
-fn second(p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|i| (p[i] - q[i]) + (p[i] - r[i]))
-}
-
-fn square(x: &[f64; 3]) -> f64 {
-    x[0] * x[0] + x[1] * x[1] + x[2] * x[2]
 }

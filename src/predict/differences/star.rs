@@ -65,7 +65,7 @@
 //! and over the face of level s that is left, n_K + .. + n_(s-1) and r_s times the constant at K = 0, which is
 //! so bounded by itself. To limit meshes: and the largest distance of a vertex of level K to its limit.
 //!
-//! Source: derived here. Each identity is tested against refined meshes.
+//! Source: derived here. The step by formula is tested against refinement, the bounds against certified distances.
 
 use crate::scalar::float::gamma;
 use crate::scheme::{LoopWeights, Scheme, loop_scheme};

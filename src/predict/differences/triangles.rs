@@ -24,12 +24,11 @@ use rayon::prelude::*;
 use super::constants::{beside, to_limit};
 use super::levels::{Kinds, Visit};
 use super::star::{Vertex, first_step};
+use super::vector::{Vector, larger, second, square};
 use crate::bound::Against;
 use crate::mesh::{NONE, Point, Topology};
 use crate::scalar::Interval;
 use crate::scheme::{LoopWeights, Scheme, loop_scheme};
-
-type Vector = [f64; 3];
 
 /// Edges below which one thread is faster.
 const FEW: usize = 1 << 14;
@@ -201,12 +200,6 @@ impl<'a> Triangles<'a> {
     }
 }
 
-/// `if a > b`: one instruction, no branch; neither is NaN.
-#[inline]
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
-}
-
 /// The vertex of a triangle that its half-edge h does not meet, P and Q being those that it does.
 #[inline(always)]
 fn opposite(faces: &[[u32; 3]], h: u32, p: u32, q: u32) -> u32 {
@@ -230,11 +223,6 @@ fn alpha(
     let [a, b, c, d] = [p, q, r, s].map(|v| &positions[v as usize].0);
     let difference = |i: usize| (a[i] - c[i]) + (b[i] - d[i]);
     Some(([difference(0), difference(1), difference(2)], [p, q]))
-}
-
-#[inline]
-fn square(x: &Vector) -> f64 {
-    x[0] * x[0] + x[1] * x[1] + x[2] * x[2]
 }
 
 /// A pass over edges that leaves a maximum at each vertex: parts of the edges have arrays of their own.
@@ -306,8 +294,7 @@ pub(super) fn delta(topology: &Topology, positions: &[Point<f64>], v: u32) -> Ve
     let last = topology.fan(v).last().unwrap_or(first);
     let at = |v: u32| &positions[v as usize].0;
     let (a, p) = (at(v), at(topology.target(first)));
-    let q = at(topology.origin(topology.prev(last)));
-    [0, 1, 2].map(|i| (a[i] - p[i]) + (a[i] - q[i]))
+    second(a, p, at(topology.origin(topology.prev(last))))
 }
 
 /// b of an interior vertex; 1/8 at the boundary, where t = δ/8.
