@@ -142,6 +142,46 @@ fn nets_of_the_programs_attain_the_bounds() {
     }
 }
 
+/// A regular polygon of heights whose second differences along all lines of the lattice are 0: only its diameter
+/// makes M, and the surface is not the mesh.
+#[test]
+fn a_regular_polygon_under_doo_sabin_has_a_distance() {
+    for n in [3, 5, 6, 7, 9] {
+        let p = |j: u32| (std::f64::consts::TAU * f64::from(j - 1) / f64::from(n)).cos();
+        let mut heights: Vec<f64> = (1..=n).map(p).collect();
+        // Labels of the local net: beyond P2 and Pn, P1 and the corner between.
+        let after = 2.0 * p(2) - p(if n == 3 { n } else { 3 });
+        let before = 2.0 * p(n) - p(n - 1);
+        let [x, y] = [2.0 * p(1) - p(n), 2.0 * p(1) - p(2)];
+        heights.extend([after, x, 2.0 * x - after, y, before]);
+        let faces = [
+            (1..=n).collect::<Vec<u32>>(),
+            vec![1, n + 2, n + 1, 2],
+            vec![1, n + 4, n + 3, n + 2],
+            vec![1, n, n + 5, n + 4],
+        ];
+        let start = faces.iter().scan(0, |sum, face| {
+            *sum += face.len() as u32;
+            Some(*sum)
+        });
+        let start = std::iter::once(0).chain(start).collect();
+        let corners = faces.concat().into_iter().map(|v| v - 1).collect();
+        let mesh = Mesh {
+            topology: Topology::from_polygons(heights.len(), start, corners).expect("a disc"),
+            positions: heights.iter().map(|&z| Point([0.0, 0.0, z])).collect(),
+        };
+        let request = Request {
+            scheme: Scheme::DooSabin,
+            corner: CornerRule::Smooth,
+            against: Constants::Control,
+            local_steps: 0,
+        };
+        assert!(check(&mesh, &request, 2, "a regular polygon"));
+        let (lo, _) = least(&mesh, &request, 0).expect("a distance");
+        assert!(lo > 0.01, "n = {n}: {lo}");
+    }
+}
+
 fn requests(scheme: Scheme) -> impl Iterator<Item = Request> {
     let against = [Constants::Control, Constants::Limit];
     let corners = [CornerRule::Smooth, CornerRule::Sharp];
