@@ -1,8 +1,9 @@
 //! Bounds of all levels on one core, in faces per second, adjacency ready.
 //!
 //! The mesh is an irregular one of many valences, or the file named by `SUBCERT_BENCH_MESH`; it is taken as it
-//! is, and refined once and twice. `table` uses constants alone, `local step` the differences after one step;
-//! refinement with connectivity of the same mesh stands beside, for ratios.
+//! is, and refined once and twice. `table` uses constants alone, `prepared` the same for a connectivity that
+//! has been prepared, `local step` the differences after one step; refinement with connectivity of the same mesh
+//! stands beside, for ratios.
 
 #![allow(missing_docs)] // criterion makes an undocumented function
 
@@ -15,7 +16,7 @@ use std::time::Duration;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use subcert::bound::Against;
 use subcert::mesh::{Mesh, Point, io};
-use subcert::predict::differences::{Bounds, Request};
+use subcert::predict::differences::{Bounds, Prepared, Request};
 use subcert::refine::{Refiner, refine, refine_topology_into};
 use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 
@@ -70,6 +71,26 @@ fn one(c: &mut Criterion, mesh: &Mesh) {
             });
         });
     }
+    let request = Request {
+        scheme: SCHEME,
+        corner: CornerRule::Smooth,
+        against: Against::Control,
+        local_steps: 0,
+    };
+    let prepared = Prepared::new(&mesh.topology, &request).expect("a mesh of triangles");
+    let bytes = prepared.bytes() as f64 / f64::from(faces);
+    println!("prepared: {bytes:.1} bytes for each face");
+    group.bench_function("table, prepared", |b| {
+        b.iter(|| {
+            prepared
+                .bounds(black_box(&mesh.positions))
+                .expect("bounds")
+                .at(3)
+        });
+    });
+    group.bench_function("to prepare", |b| {
+        b.iter(|| Prepared::new(black_box(&mesh.topology), &request).expect("a mesh"));
+    });
     let mut refiner = Refiner::new(SCHEME, CornerRule::Smooth);
     let mut fine = subcert::refine::refine_topology(SCHEME, &mesh.topology).expect("a mesh");
     let mut out = Vec::new();

@@ -129,7 +129,7 @@ pub fn measure(
     progress: &(dyn Fn(u32, u32) + Sync),
 ) -> Result<Measurement, MeasureError> {
     check(request, mesh)?;
-    let frame = Frame::of(mesh, request.level > 0);
+    let frame = Frame::of(&mesh.topology, &mesh.positions, request.level > 0);
     let (mut level, mut radius) = frame.enter(&mesh.positions);
     let mut refiner = Refiner::new(request.scheme, request.corner);
     let mut topology = None;
@@ -180,7 +180,7 @@ pub fn measure_exact(
         topology: mesh.topology.clone(),
         positions: nearest.collect(),
     };
-    let frame = Frame::of(&nearest, false);
+    let frame = Frame::of(&nearest.topology, &nearest.positions, false);
     let factor = power_of_two(-frame.exponent);
     let scaled = mesh.positions.iter().map(|p| p.clone() * &factor).collect();
     let scaled = Mesh {
@@ -212,7 +212,7 @@ pub fn measure_enclosing(
     progress: &(dyn Fn(u32, u32) + Sync),
 ) -> Result<Measurement, MeasureError> {
     check(request, mesh)?;
-    let frame = Frame::of(mesh, request.level > 0);
+    let frame = Frame::of(&mesh.topology, &mesh.positions, request.level > 0);
     let place = |p: &Point<f64>| {
         let scaled = p.0.map(|x| enclose_scaled(x, -frame.exponent));
         Point(std::array::from_fn(|i| {

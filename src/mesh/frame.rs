@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 
-use super::{Mesh, NONE, Point};
+use super::{Mesh, NONE, Point, Topology};
 use crate::scalar::float::UNIT_ROUNDOFF;
 use crate::scalar::{Interval, Rational};
 
@@ -21,30 +21,27 @@ pub(crate) struct Frame {
 
 impl Frame {
     /// The frame of the vertices that have a face.
-    pub(crate) fn of(mesh: &Mesh, moves: bool) -> Self {
-        Self::covering(&[mesh], moves)
+    pub(crate) fn of(topology: &Topology, positions: &[Point<f64>], moves: bool) -> Self {
+        Self::between(extremes(topology, positions), moves)
     }
 
     /// The least and largest coordinates of the vertices that have a face.
     pub(crate) fn corners(meshes: &[&Mesh]) -> ([f64; 3], [f64; 3]) {
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for mesh in meshes {
-            for (vertex, p) in (0..).zip(&mesh.positions) {
-                if mesh.topology.first_halfedge(vertex) == NONE {
-                    continue;
-                }
-                for i in 0..3 {
-                    low[i] = low[i].min(p.0[i]);
-                    high[i] = high[i].max(p.0[i]);
-                }
-            }
-        }
-        (low, high)
+        let none = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let all = meshes.iter().map(|m| extremes(&m.topology, &m.positions));
+        all.fold(none, |a, b| {
+            let low = [0, 1, 2].map(|i| a.0[i].min(b.0[i]));
+            (low, [0, 1, 2].map(|i| a.1[i].max(b.1[i])))
+        })
     }
 
     /// One frame for several meshes.
     pub(crate) fn covering(meshes: &[&Mesh], moves: bool) -> Self {
-        let (low, high) = Self::corners(meshes);
+        Self::between(Self::corners(meshes), moves)
+    }
+
+    /// Of points between the corners given.
+    pub(crate) fn between((low, high): ([f64; 3], [f64; 3]), moves: bool) -> Self {
         let largest = (0..3)
             .map(|i| low[i].abs().max(high[i].abs()))
             .fold(0.0, f64::max);
@@ -109,6 +106,43 @@ impl Frame {
             },
         ]
     }
+}
+
+/// The least and largest coordinates of the vertices that have a face; none of them is NaN.
+fn extremes(topology: &Topology, positions: &[Point<f64>]) -> ([f64; 3], [f64; 3]) {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    // Plain comparisons become vector instructions; those of `f64::min` look for NaN.
+    let mut meet = |p: &[f64; 3]| {
+        for i in 0..3 {
+            low[i] = if p[i] < low[i] { p[i] } else { low[i] };
+            high[i] = if p[i] > high[i] { p[i] } else { high[i] };
+        }
+    };
+    if topology.has_isolated_vertices() {
+        for (vertex, p) in (0..).zip(positions) {
+            if topology.first_halfedge(vertex) != NONE {
+                meet(&p.0);
+            }
+        }
+        return (low, high);
+    }
+    // Four points at once.
+    let (fours, rest) = positions.as_chunks::<4>();
+    let (mut lows, mut highs) = ([[f64::INFINITY; 3]; 4], [[f64::NEG_INFINITY; 3]; 4]);
+    for four in fours {
+        for (i, p) in four.iter().enumerate() {
+            for j in 0..3 {
+                let x = p.0[j];
+                lows[i][j] = if x < lows[i][j] { x } else { lows[i][j] };
+                highs[i][j] = if x > highs[i][j] { x } else { highs[i][j] };
+            }
+        }
+    }
+    if !fours.is_empty() {
+        lows.iter().chain(&highs).for_each(&mut meet);
+    }
+    rest.iter().for_each(|p| meet(&p.0));
+    (low, high)
 }
 
 /// `x 2^k` for any k; exact unless it under- or overflows.

@@ -280,6 +280,12 @@ impl Topology {
         self.edges[e as usize][1] == NONE
     }
 
+    /// Whether a vertex has no face.
+    pub fn has_isolated_vertices(&self) -> bool {
+        // Without an early end: vector instructions.
+        self.first.iter().fold(false, |any, &h| any | (h == NONE))
+    }
+
     /// Whether no edge is a boundary edge.
     pub fn is_closed(&self) -> bool {
         self.edges.iter().all(|halves| halves[1] != NONE)

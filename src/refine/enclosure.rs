@@ -110,21 +110,27 @@ impl RefinementError {
 /// If and only if a coordinate is infinite or not a number.
 pub fn largest_coordinate(positions: &[Point<f64>]) -> Result<f64, RefineError> {
     // Without the sign, bit patterns are ordered like the numbers, and NaN is above infinity.
-    let bits = |p: &Point<f64>| p.0.map(|x| (x.to_bits() << 1 >> 1) as i64);
-    let fold = |top: [i64; 3], p: &Point<f64>| {
-        let [x, y, z] = bits(p);
-        [top[0].max(x), top[1].max(y), top[2].max(z)]
+    let top = |points: &[Point<f64>]| {
+        let (fours, rest) = points.as_chunks::<4>();
+        let mut tops = [[0_i64; 3]; 4];
+        for four in fours {
+            for (top, p) in tops.iter_mut().zip(four) {
+                for (top, x) in top.iter_mut().zip(&p.0) {
+                    *top = (*top).max((x.to_bits() << 1 >> 1) as i64);
+                }
+            }
+        }
+        let rest = rest.iter().flat_map(|p| p.0);
+        let rest = rest.map(|x| (x.to_bits() << 1 >> 1) as i64);
+        rest.chain(tops.into_iter().flatten()).fold(0, i64::max)
     };
-    let join = |a: [i64; 3], b: [i64; 3]| [a[0].max(b[0]), a[1].max(b[1]), a[2].max(b[2])];
     let top = if parallel(positions.len()) {
         let chunks = positions.par_chunks(1 << 14);
-        chunks
-            .map(|chunk| chunk.iter().fold([0; 3], fold))
-            .reduce(|| [0; 3], join)
+        chunks.map(top).reduce(|| 0, i64::max)
     } else {
-        positions.iter().fold([0; 3], fold)
+        top(positions)
     };
-    let largest = f64::from_bits(top[0].max(top[1]).max(top[2]) as u64);
+    let largest = f64::from_bits(top as u64);
     if largest.is_finite() {
         return Ok(largest);
     }

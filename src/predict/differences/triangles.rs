@@ -42,10 +42,57 @@ pub struct Triangles<'a> {
     vertex: Vec<f64>,
     /// The largest square at each edge's middle after one step; empty if the faces themselves are meant.
     edge: Vec<f64>,
-    /// By kind: R^2, and the square of how far a face of that kind moves in a step, over M.
-    rate: Vec<f64>,
-    moved: Vec<f64>,
+    rates: Rates,
     level: usize,
+}
+
+/// What faces with several irregular corners need, by kind.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rates {
+    /// R^2.
+    rate: Vec<f64>,
+    /// The square of how far a face moves in a step, over M.
+    moved: Vec<f64>,
+}
+
+impl Rates {
+    pub(super) fn of(scheme: Scheme, against: Against, kinds: &Kinds) -> Self {
+        let beside: Vec<f64> = kinds.list.iter().map(|&v| beside(scheme, v)).collect();
+        let fastest = beside.iter().copied().fold(0.0, f64::max);
+        let moved = |&v: &Vertex| {
+            let m = match against {
+                Against::Control => first_step(scheme, v).max(0.125),
+                // The middle of an edge: its own way to its limit, from the line, and those of the ends.
+                Against::Limit => to_limit(scheme, v) + 0.5 * fastest + 0.125,
+            };
+            m * m * (1.0 + 1e-15)
+        };
+        Rates {
+            rate: beside.iter().map(|r| r.powi(2) * (1.0 + 1e-15)).collect(),
+            moved: kinds.list.iter().map(moved).collect(),
+        }
+    }
+
+    /// A face whose corners have the kinds given, and M^2.
+    #[inline]
+    pub(super) fn visit(&self, kinds: [u16; 3], square: f64, to: &mut impl Visit) {
+        let irregular = kinds.iter().filter(|&&kind| kind != 0).count();
+        let largest = |of: &[f64]| {
+            let [a, b, c] = kinds.map(|kind| of[usize::from(kind)]);
+            larger(a, larger(b, c))
+        };
+        let many = irregular > 1;
+        let (level, factor) = match many {
+            true => (1, largest(&self.rate)),
+            false => (0, 1.0),
+        };
+        for kind in kinds {
+            to.ready(level, kind, square * factor);
+        }
+        if many {
+            to.moved(0, square * largest(&self.moved));
+        }
+    }
 }
 
 impl<'a> Triangles<'a> {
@@ -73,26 +120,11 @@ impl<'a> Triangles<'a> {
         };
         let mut vertex = by_parts(t, of_edges);
         boundary(t, positions, kinds, &of_vertex, 1.0, &mut vertex);
-        let rate = |&v: &Vertex| beside(scheme, v).powi(2) * (1.0 + 1e-15);
-        let fastest = kinds
-            .list
-            .iter()
-            .map(|&v| beside(scheme, v))
-            .fold(0.0, f64::max);
-        let moved = |&v: &Vertex| {
-            let m = match against {
-                Against::Control => first_step(scheme, v).max(0.125),
-                // The middle of an edge: its own way to its limit, from the line, and those of the ends.
-                Against::Limit => to_limit(scheme, v) + 0.5 * fastest + 0.125,
-            };
-            m * m * (1.0 + 1e-15)
-        };
         Triangles {
             topology,
             vertex,
             edge: Vec::new(),
-            rate: kinds.list.iter().map(rate).collect(),
-            moved: kinds.list.iter().map(moved).collect(),
+            rates: Rates::of(scheme, against, kinds),
             kinds: of_vertex,
             level: 0,
         }
@@ -136,8 +168,7 @@ impl<'a> Triangles<'a> {
             kinds: of_vertex,
             vertex,
             edge,
-            rate: Vec::new(),
-            moved: Vec::new(),
+            rates: Rates::default(),
             level,
         }
     }
@@ -162,7 +193,8 @@ impl<'a> Triangles<'a> {
         let top = corners.map(|v| self.vertex[v as usize]);
         let kinds = corners.map(|v| self.kinds[v as usize]);
         if self.edge.is_empty() {
-            self.visit_now(top, kinds, to);
+            let square = larger(top[0], larger(top[1], top[2]));
+            self.rates.visit(kinds, square, to);
         } else {
             let middle =
                 [0, 1, 2].map(|i| self.edge[self.topology.edge_of((first + i) as u32) as usize]);
@@ -175,27 +207,6 @@ impl<'a> Triangles<'a> {
                 0,
                 larger(middle[0], larger(middle[1], middle[2])),
             );
-        }
-    }
-
-    #[inline]
-    fn visit_now(&self, top: [f64; 3], kinds: [u16; 3], to: &mut impl Visit) {
-        let square = larger(top[0], larger(top[1], top[2]));
-        let irregular = kinds.iter().filter(|&&kind| kind != 0).count();
-        let largest = |of: &[f64]| {
-            let [a, b, c] = kinds.map(|kind| of[usize::from(kind)]);
-            larger(a, larger(b, c))
-        };
-        let many = irregular > 1;
-        let (level, factor) = match many {
-            true => (1, largest(&self.rate)),
-            false => (0, 1.0),
-        };
-        for kind in kinds {
-            to.ready(level, kind, square * factor);
-        }
-        if many {
-            to.moved(0, square * largest(&self.moved));
         }
     }
 }

@@ -1,0 +1,148 @@
+//! One connectivity, many positions.
+
+use std::sync::Arc;
+
+use super::clusters::Clusters;
+use super::levels::{Kinds, Lengths, Outward};
+use super::maker::{Maker, largest_valence, short_of};
+use super::triangles::Rates;
+use super::unit::Unit;
+use super::{MeshBounds, Request};
+use crate::mesh::frame::Frame;
+use crate::mesh::{Point, Topology};
+use crate::refine::RefineError;
+use crate::scheme::Scheme;
+
+/// Bounds of whole meshes of one connectivity: a mesh that moves, or is fitted.
+///
+/// Where constants alone are used (Loop, no local step) all that the connectivity says is prepared here, and a
+/// set of positions costs a pass over [`Clusters`]; otherwise this is [`super::Bounds`].
+///
+/// ```
+/// use subcert::bound::Against;
+/// use subcert::mesh::{Point, Topology};
+/// use subcert::predict::differences::{Prepared, Request};
+/// use subcert::scheme::{CornerRule, LoopWeights, Scheme};
+///
+/// let faces = vec![0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1];
+/// let tetrahedron = Topology::from_uniform(4, 3, faces)?;
+/// let request = Request {
+///     scheme: Scheme::Loop(LoopWeights::Original),
+///     corner: CornerRule::Smooth,
+///     against: Against::Control,
+///     local_steps: 0,
+/// };
+/// let prepared = Prepared::new(&tetrahedron, &request)?;
+/// let place = |size: f64| [[0.0; 3], [size, 0.0, 0.0], [0.0, size, 0.0], [0.0, 0.0, size]].map(Point);
+/// let (small, large) = (prepared.bounds(&place(1.0))?, prepared.bounds(&place(4.0))?);
+/// assert_eq!(large.at(3), 4.0 * small.at(3));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Prepared<'a> {
+    topology: &'a Topology,
+    request: Request,
+    ready: Option<Ready>,
+}
+
+#[derive(Clone, Debug)]
+struct Ready {
+    clusters: Clusters,
+    kinds: Arc<Kinds>,
+    rates: Rates,
+    /// The largest.
+    valence: u32,
+    vertices: usize,
+    without_a_face: Vec<u32>,
+}
+
+impl<'a> Prepared<'a> {
+    /// Prepares what the connectivity says.
+    ///
+    /// # Errors
+    /// If and only if the scheme refuses the mesh.
+    ///
+    /// # Panics
+    /// If there are more local steps than [`super::Bounds::MOST_STEPS`].
+    pub fn new(topology: &'a Topology, request: &Request) -> Result<Self, RefineError> {
+        request.check(topology)?;
+        let &Request {
+            scheme,
+            corner,
+            against,
+            local_steps,
+        } = request;
+        let ready = || {
+            let (kinds, of_vertex) = Kinds::of_vertices(scheme, corner, against, topology);
+            Some(Ready {
+                clusters: Clusters::of(topology, &kinds, &of_vertex)?,
+                rates: Rates::of(scheme, against, &kinds),
+                kinds: kinds.into(),
+                valence: largest_valence(topology),
+                vertices: topology.vertex_count() as usize,
+                without_a_face: topology.isolated_vertices().collect(),
+            })
+        };
+        let by_constants = matches!(scheme, Scheme::Loop(_)) && local_steps == 0;
+        Ok(Prepared {
+            topology,
+            request: *request,
+            ready: if by_constants { ready() } else { None },
+        })
+    }
+
+    /// Bounds of the mesh with these positions.
+    ///
+    /// # Errors
+    /// If and only if a coordinate is not finite, or there is not one position for each vertex; or if a local
+    /// step would be too large for 32-bit indices.
+    pub fn bounds(&self, positions: &[Point<f64>]) -> Result<MeshBounds, RefineError> {
+        if let Some(ready) = &self.ready
+            && let Some(stage) = ready.stage(&self.request, positions)
+        {
+            return Ok(MeshBounds {
+                stages: vec![stage],
+                exponent: 0,
+            });
+        }
+        let unit = Unit::of(&self.request, self.topology, positions)?;
+        let mut maker = Maker::new(&self.request, self.topology, positions, &unit);
+        let stage = |j: u32| {
+            let stage = maker.stage(j as usize)?;
+            Ok((stage.kinds.clone(), stage.lengths()))
+        };
+        let stages: Result<Vec<_>, _> = (0..=self.request.local_steps).map(stage).collect();
+        Ok(MeshBounds {
+            stages: stages?,
+            exponent: unit.exponent,
+        })
+    }
+
+    /// Bytes that the preparation holds beside the mesh.
+    pub fn bytes(&self) -> usize {
+        self.ready.as_ref().map_or(0, |r| r.clusters.bytes())
+    }
+}
+
+impl Ready {
+    /// `None` where positions are wrong or need another unit.
+    fn stage(&self, request: &Request, positions: &[Point<f64>]) -> Option<(Arc<Kinds>, Lengths)> {
+        if positions.len() != self.vertices {
+            return None;
+        }
+        let finite = |&v: &u32| positions[v as usize].0.iter().all(|x| x.is_finite());
+        if !self.without_a_face.iter().all(finite) {
+            return None;
+        }
+        let (seen, place) = self.clusters.largest(positions, &self.kinds, &self.rates);
+        // What was computed counts if coordinates are far from the limits of f64.
+        let unit = Unit::for_frame(request, Frame::between(place.corners()?, true));
+        if unit.frame.is_some() {
+            return None;
+        }
+        let outward = Outward {
+            off: [short_of(self.valence, unit.extent, 0.0); 5],
+        };
+        Some((self.kinds.clone(), Lengths::of_mesh(&seen, &outward)))
+    }
+}
