@@ -7,7 +7,7 @@ use std::time::Instant;
 use anyhow::bail;
 use clap::ValueEnum;
 use subcert::depth::{self, Answer, Method, Metric, Request};
-use subcert::mesh::{Mesh, Summary};
+use subcert::mesh::Mesh;
 use subcert::report::depth::{Text, json};
 use subcert::report::faces;
 
@@ -183,7 +183,7 @@ impl Predict {
 
     /// The tolerance as a part of the bounding box's diagonal.
     fn of_diagonal(&self, mesh: &Mesh) -> anyhow::Result<f64> {
-        let [low, high] = Summary::of(mesh).bounding_box;
+        let [low, high] = mesh.bounding_box();
         let [x, y, z] = [0, 1, 2].map(|i| high[i] - low[i]);
         let tolerance = self.tolerance * x.hypot(y).hypot(z);
         if tolerance > 0.0 && tolerance.is_finite() {
