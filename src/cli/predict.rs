@@ -127,7 +127,7 @@ impl Predict {
             metric: self.metric.into(),
             tolerance: self.tolerance,
         };
-        let methods = match self.method {
+        let mut methods = match self.method {
             Asked::Best => Method::candidates(&request),
             Asked::All => Method::all(),
             Asked::One(method) => {
@@ -141,6 +141,9 @@ impl Predict {
         let mesh = super::read(&self.mesh)?;
         if self.relative {
             request.tolerance = self.of_diagonal(&mesh)?;
+        }
+        if self.method == Asked::Best {
+            methods.retain(|method| method.may_be_safe(&request, &mesh.topology));
         }
         let mut answers =
             depth::predict(&mesh, &request, &methods).map_err(super::about(&self.mesh))?;
