@@ -36,12 +36,12 @@ pub(super) fn read<S: Coordinate>(path: &Path) -> Option<Loaded<S>> {
 }
 
 fn read_pieces<S: Coordinate>(path: &Path, length: u64, size: u64) -> Option<Loaded<S>> {
-    let open = || {
-        let file = File::open(path).ok()?;
-        Some((file, Vec::new(), RawMesh::default()))
-    };
-    let read = |run: Option<(File, Vec<u8>, RawMesh<S>)>, piece: u64| {
-        let (mut file, mut buffer, mut mesh) = run?;
+    type Run<S> = Option<(File, Vec<u8>, RawMesh<S>)>;
+    let read = |run: Run<S>, piece: u64| {
+        let (mut file, mut buffer, mut mesh) = match run {
+            Some(run) => run,
+            None => (File::open(path).ok()?, Vec::new(), RawMesh::default()),
+        };
         let lines = lines(&mut file, &mut buffer, length, piece * size, size)?;
         let mut scanner = match piece {
             0 => Scanner::new(lines, true),
@@ -49,11 +49,12 @@ fn read_pieces<S: Coordinate>(path: &Path, length: u64, size: u64) -> Option<Loa
         };
         obj::records(&mut scanner, &mut mesh).ok()?;
         let odd = mesh.counts_backwards || !mesh.warnings.is_empty();
-        (!odd).then_some((file, buffer, mesh))
+        (!odd).then_some(Some((file, buffer, mesh)))
     };
-    let runs = (0..length.div_ceil(size)).into_par_iter();
-    let runs = runs.fold(open, read).map(|run| Some(run?.2));
-    let mesh = runs.reduce(|| Some(RawMesh::default()), |a, b| join(a?, b?))?;
+    let pieces = (0..length.div_ceil(size)).into_par_iter();
+    let runs = pieces.try_fold(|| None, read);
+    let meshes = runs.map(|run| Some(run?.map_or_else(RawMesh::default, |(.., mesh)| mesh)));
+    let mesh = meshes.try_reduce(RawMesh::default, join)?;
     if mesh.positions.is_empty() {
         return None;
     }
