@@ -7,7 +7,7 @@ use std::time::Instant;
 use anyhow::bail;
 use clap::ValueEnum;
 use subcert::depth::{self, Answer, Method, Metric, Request};
-use subcert::mesh::{Mesh, Summary};
+use subcert::mesh::Mesh;
 use subcert::report::depth::{Text, json};
 use subcert::report::faces;
 
@@ -127,7 +127,7 @@ impl Predict {
             metric: self.metric.into(),
             tolerance: self.tolerance,
         };
-        let methods = match self.method {
+        let mut methods = match self.method {
             Asked::Best => Method::candidates(&request),
             Asked::All => Method::all(),
             Asked::One(method) => {
@@ -141,6 +141,9 @@ impl Predict {
         let mesh = super::read(&self.mesh)?;
         if self.relative {
             request.tolerance = self.of_diagonal(&mesh)?;
+        }
+        if self.method == Asked::Best {
+            methods.retain(|method| method.may_be_safe(&request, &mesh.topology));
         }
         let mut answers =
             depth::predict(&mesh, &request, &methods).map_err(super::about(&self.mesh))?;
@@ -183,7 +186,7 @@ impl Predict {
 
     /// The tolerance as a part of the bounding box's diagonal.
     fn of_diagonal(&self, mesh: &Mesh) -> anyhow::Result<f64> {
-        let [low, high] = Summary::of(mesh).bounding_box;
+        let [low, high] = mesh.bounding_box();
         let [x, y, z] = [0, 1, 2].map(|i| high[i] - low[i]);
         let tolerance = self.tolerance * x.hypot(y).hypot(z);
         if tolerance > 0.0 && tolerance.is_finite() {

@@ -3,8 +3,10 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::printed::{cheng_yong, huang_wang, lanquetin_neveu};
 use super::{Metric, Request};
 use crate::bound::Against;
+use crate::mesh::Topology;
 use crate::predict::Estimator;
 use crate::scheme::{LoopWeights, Scheme};
 
@@ -60,6 +62,21 @@ impl Method {
             *m != Method::Heuristic && m.bounds(request.metric) && m.applies(request).is_ok()
         };
         Method::all().into_iter().filter(safe).collect()
+    }
+
+    /// Whether its answer for a mesh can be safe, by what is quick to see: false is certain.
+    pub fn may_be_safe(self, request: &Request, topology: &Topology) -> bool {
+        self.bounds(request.metric)
+            && self.applies(request).is_ok()
+            && match self {
+                Method::Heuristic => false,
+                Method::LanquetinNeveu => lanquetin_neveu::may_be_safe(topology, request.scheme),
+                Method::ChengYong => cheng_yong::may_be_safe(topology),
+                Method::Huang | Method::HuangWang => {
+                    huang_wang::may_be_safe(topology, request.against)
+                }
+                Method::Differences(_) | Method::Tabulated(..) => true,
+            }
     }
 
     /// Whether what it bounds, if anything, bounds that metric.

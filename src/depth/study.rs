@@ -13,7 +13,7 @@ use crate::bound::Against;
 use crate::distance::measure::{self, MeasureError, measure};
 use crate::distance::model;
 use crate::distance::parametric::Goal;
-use crate::mesh::{Mesh, Summary};
+use crate::mesh::Mesh;
 use crate::paper::peters_wu::{self, meshes::StandIn};
 use crate::paper::{Claim, Look, Plot, Report, Series, Table, Verdict};
 use crate::scheme::{CornerRule, LoopWeights, Scheme};
@@ -117,7 +117,7 @@ pub struct Found {
 /// If and only if the scheme does not apply, or there is no surface.
 pub fn study(subject: &Subject) -> Result<Found, MeasureError> {
     let mesh = &subject.mesh;
-    let [low, high] = Summary::of(mesh).bounding_box;
+    let [low, high] = mesh.bounding_box();
     let [x, y, z] = [0, 1, 2].map(|i| high[i] - low[i]);
     let diagonal = x.hypot(y).hypot(z);
     let finest = TOLERANCES[TOLERANCES.len() - 1] * diagonal;

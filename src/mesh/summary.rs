@@ -5,7 +5,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use super::{Mesh, NONE, Topology};
+use super::{Mesh, Topology};
 
 /// The counts of a mesh. Histograms map a value to how often it occurs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -50,6 +50,7 @@ impl Summary {
         let loops = topology.boundary_loops();
         let mut boundary_loops: Vec<u32> = loops.iter().map(|cycle| cycle.len() as u32).collect();
         boundary_loops.sort_unstable_by(|a, b| b.cmp(a));
+        let components = topology.components().count;
         let vertices = 0..topology.vertex_count();
         let extraordinary = vertices
             .filter(|&v| topology.is_extraordinary_vertex(v))
@@ -70,11 +71,11 @@ impl Summary {
                     .filter(|&&v| topology.is_extraordinary_vertex(v))
                     .count()
             }),
-            components: topology.components().count,
+            components,
             boundary_loops,
             euler_characteristic: topology.euler_characteristic(),
-            genus: topology.genus(),
-            bounding_box: bounding_box(mesh),
+            genus: topology.handles(components, loops.len()),
+            bounding_box: mesh.bounding_box(),
         }
     }
 }
@@ -87,20 +88,6 @@ fn per_face(topology: &Topology, count: impl Fn(&[u32]) -> usize) -> BTreeMap<u3
             .or_insert(0) += 1;
     }
     histogram
-}
-
-fn bounding_box(mesh: &Mesh) -> [[f64; 3]; 2] {
-    let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    for (v, point) in mesh.positions.iter().enumerate() {
-        if mesh.topology.first_halfedge(v as u32) == NONE {
-            continue;
-        }
-        for (axis, &x) in point.0.iter().enumerate() {
-            bounds[0][axis] = bounds[0][axis].min(x);
-            bounds[1][axis] = bounds[1][axis].max(x);
-        }
-    }
-    bounds
 }
 
 impl fmt::Display for Summary {

@@ -11,16 +11,24 @@
 
 use num_traits::One;
 
-use super::norms::Norm;
+use super::norms::{Norm, valences};
 use super::verdict::{THEOREM_4, THEOREM_9};
 use super::{Needed, at_least_0, deepest, exactly};
 use crate::depth::{Context, Found, NoDepth};
+use crate::mesh::Topology;
 use crate::paper::cheng_yong::depth::{n_epsilon, theorem_4, theorem_9, w};
 use crate::paper::cheng_yong::printed::{EQ_23_FACTOR, QUARTER, THIRD, delta};
 use crate::scalar::{Field, Rational};
 
 /// The verdict on Theorem 9 was computed for valences up to this one, from 3.
 pub const JUDGED: u32 = 20;
+
+/// Whether the verdict is known for all vertices of a closed mesh; polygons become vertices.
+pub(in crate::depth) fn may_be_safe(topology: &Topology) -> bool {
+    let sizes = (0..topology.face_count()).map(|f| topology.face_size(f));
+    let mut all = sizes.chain(valences(topology));
+    topology.is_closed() && all.all(|n| n <= JUDGED)
+}
 
 pub(in crate::depth) fn depth(context: &Context<'_>) -> Result<Found, NoDepth> {
     let norms = context.norms()?;
@@ -79,8 +87,9 @@ fn extraordinary<'a>(n: u32, norm: &'a Norm, tolerance: &Rational) -> Result<Nee
 
 /// (6): `M / (3 · 4^k)`, k steps after second differences of at most M.
 fn after(m: &Rational, k: u32) -> Rational {
-    let quarter = Rational::ratio(QUARTER.0, QUARTER.1);
-    (0..k).fold(m * Rational::ratio(THIRD.0, THIRD.1), |x, _| x * &quarter)
+    // One product: each costs a greatest common divisor.
+    let quarters = Rational::ratio(QUARTER.0, QUARTER.1).pow(k as i32);
+    m * (Rational::ratio(THIRD.0, THIRD.1) * quarters)
 }
 
 #[cfg(test)]

@@ -21,11 +21,12 @@
 //! but for (14) at k = λ = 3, n = 3, where it fails and B_3 <= β r_3 is proved itself (level-bound); and the start,
 //! C_k or B_k <= C r_k for k < λ. `tests/depth.rs` proves these numbers.
 
-use super::norms::Norm;
+use super::norms::{Norm, valences};
 use super::verdict::{EQ_14, EQ_16};
 use super::{Needed, at_least_0, deepest, exactly};
 use crate::bound::Against;
 use crate::depth::{Context, Found, NoDepth};
+use crate::mesh::Topology;
 use crate::paper::Enclosure;
 use crate::paper::huang_wang_2008::depth::steps;
 use crate::paper::huang_wang_2008::printed::{TABLE_1, TABLE_2_CONTROL, TABLE_2_LIMIT, at};
@@ -74,6 +75,12 @@ impl Constants {
         let (l, j) = (k as usize / LAMBDA, k as usize % LAMBDA);
         (0..l).fold(&self.c * &self.rates[j], |x, _| x * &self.rates[LAMBDA])
     }
+}
+
+/// Whether something is printed for all vertices of a closed mesh.
+pub(in crate::depth) fn may_be_safe(topology: &Topology, against: Against) -> bool {
+    let printed = |n: &u32| Constants::of(*n, against).is_some();
+    topology.is_closed() && valences(topology).iter().all(printed)
 }
 
 pub(in crate::depth) fn depth(context: &Context<'_>) -> Result<Found, NoDepth> {

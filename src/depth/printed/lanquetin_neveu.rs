@@ -8,17 +8,30 @@
 
 use num_traits::One;
 
+use super::norms::valences;
 use super::verdict::{
     Basis, COROLLARY_2, COROLLARY_2_REGULAR, COROLLARY_3, COROLLARY_5, COROLLARY_5_REGULAR,
 };
 use super::{Needed, deepest, exactly};
 use crate::depth::{Context, Found, NoDepth};
+use crate::mesh::Topology;
 use crate::paper::Enclosure;
 use crate::paper::lanquetin_neveu_2004::depth::{corollary_2, corollary_3, corollary_5};
 use crate::predict::heuristic::displacement;
 use crate::scalar::float::round_up;
 use crate::scalar::{Field, Interval, Rational};
 use crate::scheme::{LoopWeights, Scheme, loop_scheme};
+
+/// Whether the corollary of the scheme holds on such meshes: refuted ones do on regular meshes only, if at all.
+pub(in crate::depth) fn may_be_safe(topology: &Topology, scheme: Scheme) -> bool {
+    let [regular, irregular] = match scheme {
+        Scheme::Loop(_) => [COROLLARY_3; 2],
+        Scheme::CatmullClark => [COROLLARY_2_REGULAR, COROLLARY_2],
+        Scheme::DooSabin => [COROLLARY_5_REGULAR, COROLLARY_5],
+    };
+    let is_regular = || topology.arity() == Some(4) && valences(topology).iter().all(|&n| n == 4);
+    topology.is_closed() && (irregular.holds || regular.holds && is_regular())
+}
 
 pub(in crate::depth) fn depth(context: &Context<'_>) -> Result<Found, NoDepth> {
     match context.request.scheme {

@@ -15,11 +15,12 @@ use std::collections::BTreeMap;
 
 use num_bigint::BigInt;
 use num_traits::One;
+use rayon::prelude::*;
 
 use crate::depth::NoDepth;
 use crate::mesh::{Mesh, Point, Topology};
 use crate::predict::eigen::estimators::scaled;
-use crate::predict::eigen::regular::{length_above, second_differences};
+use crate::predict::eigen::regular::{length_above, second_differences_at};
 use crate::refine::{Refiner, refine_topology};
 use crate::scalar::Rational;
 use crate::scheme::{CornerRule, Scheme};
@@ -42,6 +43,9 @@ pub struct Norms {
     /// regular valence.
     pub by_valence: BTreeMap<u32, Norm>,
 }
+
+/// Vertices or faces of which one thread is faster.
+const FEW: usize = 1 << 12;
 
 /// The most steps that separation takes.
 const MOST: u32 = 2;
@@ -68,19 +72,14 @@ impl Norms {
             topology = refine_topology(scheme, &topology)?;
             steps += 1;
         }
-        let mut found: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
-        let [first, second] = match scheme {
-            Scheme::Loop(_) => [
-                vec![0.0; topology.face_count() as usize],
-                second_differences(&topology, &positions, radius),
-            ],
-            _ => of_corners(&topology, &positions, radius),
+        let lengths = match scheme {
+            Scheme::Loop(_) => second_differences_at(&topology, &positions, radius)
+                .into_iter()
+                .map(|second| [0.0, second])
+                .collect(),
+            _ => of_vertices(&topology, &positions, radius),
         };
-        for (face, lengths) in (0..).zip(first.into_iter().zip(second)) {
-            let valence = face_valence(scheme, &topology, face);
-            let largest = found.entry(valence).or_default();
-            *largest = [largest[0].max(lengths.0), largest[1].max(lengths.1)];
-        }
+        let found = largest_by_valence(scheme, &topology, &lengths);
         let norm = |[first, second]: [f64; 2]| Norm {
             first: in_mesh_unit(first, exponent),
             second: in_mesh_unit(second, exponent),
@@ -109,6 +108,20 @@ fn in_mesh_unit(x: f64, exponent: i32) -> Rational {
         true => x / power,
         false => x * power,
     }
+}
+
+/// The valences of the vertices with faces, each once, in order.
+pub(super) fn valences(topology: &Topology) -> Vec<u32> {
+    let mut seen = Vec::new();
+    for v in 0..topology.vertex_count() {
+        let n = topology.valence(v) as usize;
+        if n >= seen.len() {
+            seen.resize(n + 1, false);
+        }
+        seen[n] = true;
+    }
+    let all = (0..).zip(seen).skip(1);
+    all.filter_map(|(n, seen)| seen.then_some(n)).collect()
 }
 
 fn regular_valence(scheme: Scheme) -> u32 {
@@ -144,15 +157,13 @@ fn face_valence(scheme: Scheme, topology: &Topology, face: u32) -> u32 {
     valences.find(|&n| n != regular).unwrap_or(regular)
 }
 
-/// For each face upper bounds of G and Z. Where not all faces round a vertex are quads, `2 v - e_j - e_(j+2)`
+/// For each vertex upper bounds of G and Z. Where not all faces round a vertex are quads, `2 v - e_j - e_(j+2)`
 /// alone counts as a second difference.
-fn of_corners(topology: &Topology, positions: &[Point<f64>], radius: f64) -> [Vec<f64>; 2] {
+fn of_vertices(topology: &Topology, positions: &[Point<f64>], radius: f64) -> Vec<[f64; 2]> {
     const ZERO: [f64; 3] = [0.0; 3];
     let at = |v: u32| &positions[v as usize].0;
-    let count = topology.vertex_count() as usize;
-    let [mut first, mut second] = [vec![0.0_f64; count], vec![0.0_f64; count]];
-    let (mut edges, mut diagonals) = (Vec::new(), Vec::new());
-    for v in 0..topology.vertex_count() {
+    let room = || (Vec::new(), Vec::new());
+    let vertex = |(edges, diagonals): &mut (Vec<_>, Vec<_>), v: u32| {
         edges.clear();
         diagonals.clear();
         let mut quads = true;
@@ -163,31 +174,57 @@ fn of_corners(topology: &Topology, positions: &[Point<f64>], radius: f64) -> [Ve
         }
         let n = edges.len();
         let p = at(v);
-        for (j, e) in edges.iter().enumerate() {
-            let mut longest = length_above([p, e], [p, edges[(j + 2) % n]], radius);
+        let (mut first, mut second) = (0.0_f64, 0.0_f64);
+        for (j, &e) in edges.iter().enumerate() {
+            second = second.max(length_above([p, e], [p, edges[(j + 2) % n]], radius));
             if quads {
                 let [before, after] = [diagonals[(j + n - 1) % n], diagonals[j]];
-                longest = longest.max(length_above([e, before], [e, after], radius));
+                second = second.max(length_above([e, before], [e, after], radius));
             }
-            second[v as usize] = second[v as usize].max(longest);
             for q in [e, diagonals[j]] {
-                let length = length_above([q, p], [&ZERO, &ZERO], radius);
-                first[v as usize] = first[v as usize].max(length);
+                first = first.max(length_above([q, p], [&ZERO, &ZERO], radius));
             }
         }
-    }
-    [first, second].map(|at_vertices| {
-        let of_face = |face| {
-            let corners = topology.corners(face).iter();
-            corners.fold(0.0_f64, |m, &v| m.max(at_vertices[v as usize]))
-        };
-        (0..topology.face_count()).map(of_face).collect()
-    })
+        [first, second]
+    };
+    let vertices = (0..topology.vertex_count()).into_par_iter();
+    vertices.with_min_len(FEW).map_init(room, vertex).collect()
+}
+
+/// The largest lengths of the faces of each valence, from those at vertices.
+fn largest_by_valence(
+    scheme: Scheme,
+    topology: &Topology,
+    lengths: &[[f64; 2]],
+) -> BTreeMap<u32, [f64; 2]> {
+    let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
+    // By valence; none is told from a length of 0 by its sign.
+    const NONE: [f64; 2] = [-1.0; 2];
+    let see = |mut seen: Vec<[f64; 2]>, face: u32| {
+        let valence = face_valence(scheme, topology, face) as usize;
+        if valence >= seen.len() {
+            seen.resize(valence + 1, NONE);
+        }
+        let corners = topology.corners(face).iter();
+        seen[valence] = corners.fold(seen[valence], |m, &v| larger(m, lengths[v as usize]));
+        seen
+    };
+    let join = |mut a: Vec<[f64; 2]>, mut b: Vec<[f64; 2]>| {
+        if a.len() < b.len() {
+            std::mem::swap(&mut a, &mut b);
+        }
+        a.iter_mut().zip(b).for_each(|(a, b)| *a = larger(*a, b));
+        a
+    };
+    let faces = (0..topology.face_count()).into_par_iter().with_min_len(FEW);
+    let seen = faces.fold(Vec::new, see).reduce(Vec::new, join);
+    (0..).zip(seen).filter(|(_, m)| *m != NONE).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::predict::eigen::regular::second_differences;
     use crate::scalar::float::round_to_nearest;
     use crate::scheme::{IntegerRow, catmull_clark, loop_scheme};
 
@@ -243,6 +280,15 @@ mod tests {
         (n, net)
     }
 
+    /// The largest lengths at the corners of each face.
+    fn of_faces(topology: &Topology, at: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let face = |face| {
+            let corners = topology.corners(face).iter().map(|&v| at[v as usize]);
+            corners.fold([0.0; 2], |a: [f64; 2], b| [a[0].max(b[0]), a[1].max(b[1])])
+        };
+        (0..topology.face_count()).map(face).collect()
+    }
+
     fn largest(rows: &[IntegerRow], net: &[Point<Rational>]) -> f64 {
         let square = |row: &IntegerRow| row.apply::<Rational, _>(net).norm_squared();
         let squares = rows.iter().map(square);
@@ -267,7 +313,8 @@ mod tests {
             let fine =
                 crate::refine::refine::<f64>(scheme, CornerRule::Smooth, &mesh, steps).unwrap();
             assert!(is_separated(scheme, &fine.topology), "{name}");
-            let [first, second] = of_corners(&fine.topology, &fine.positions, 0.0);
+            let lengths = of_vertices(&fine.topology, &fine.positions, 0.0);
+            let lengths = of_faces(&fine.topology, &lengths);
             for face in 0..fine.topology.face_count() {
                 let (n, net) = stam_net(&fine.topology, face);
                 let net: Vec<_> = net
@@ -276,7 +323,7 @@ mod tests {
                     .collect();
                 let g = largest(&catmull_clark::first_differences(n), &net);
                 let z = largest(&catmull_clark::second_differences(n), &net);
-                for (bound, norm) in [(first[face as usize], g), (second[face as usize], z)] {
+                for (bound, norm) in lengths[face as usize].into_iter().zip([g, z]) {
                     assert!(
                         bound >= norm && bound <= norm * (1.0 + 1e-12) + 1e-12,
                         "{name} {face}"
@@ -294,6 +341,17 @@ mod tests {
         let fine = crate::refine::refine::<f64>(scheme, CornerRule::Smooth, &mesh, 1).unwrap();
         let topology = &fine.topology;
         let m = second_differences(topology, &fine.positions, 0.0);
+        let at: Vec<_> = second_differences_at(topology, &fine.positions, 0.0)
+            .into_iter()
+            .map(|m| [0.0, m])
+            .collect();
+        let by_valence = largest_by_valence(scheme, topology, &at);
+        for (valence, largest) in by_valence {
+            let faces = (0..topology.face_count())
+                .filter(|&f| face_valence(scheme, topology, f) == valence);
+            let expected = faces.fold(0.0_f64, |x, f| x.max(m[f as usize]));
+            assert_eq!(largest, [0.0, expected], "{valence}");
+        }
         for face in 0..topology.face_count() {
             let all = topology.halfedges(face);
             let h = all

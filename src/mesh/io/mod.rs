@@ -21,9 +21,12 @@ use scan::{Fault, Scanner, quote};
 
 mod atomic;
 mod decimal;
+mod digits;
 mod error;
 mod obj;
 mod off;
+mod pieces;
+mod plain;
 mod ply;
 mod ply_writer;
 mod scan;
@@ -143,6 +146,11 @@ pub fn format_to(out: &mut dyn Write, mesh: &Mesh, format: Format) -> io::Result
 
 fn read_as<S: Coordinate>(path: &Path) -> Result<Loaded<S>, MeshError> {
     let format = Format::of_path(path)?;
+    if format == Format::Obj
+        && let Some(loaded) = pieces::read(path)
+    {
+        return Ok(loaded);
+    }
     let bytes = fs::read(path).map_err(|source| MeshError::Read {
         path: path.to_path_buf(),
         source,
@@ -196,6 +204,8 @@ struct RawMesh<S> {
     corners: Vec<u32>,
     /// Line of each face; empty where lines have no meaning.
     face_line: Vec<u32>,
+    /// Whether an index counts from the vertices above it backwards.
+    counts_backwards: bool,
     warnings: Vec<String>,
 }
 
@@ -206,6 +216,7 @@ impl<S> Default for RawMesh<S> {
             face_start: vec![0],
             corners: Vec::new(),
             face_line: Vec::new(),
+            counts_backwards: false,
             warnings: Vec::new(),
         }
     }
@@ -243,6 +254,7 @@ impl<S> RawMesh<S> {
             corners,
             face_line,
             mut warnings,
+            ..
         } = self;
         let topology = Topology::from_polygons(positions.len(), face_start, corners);
         let topology = topology.map_err(|source| {

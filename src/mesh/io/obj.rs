@@ -4,19 +4,28 @@ use std::io::{self, Write};
 
 use super::decimal::Coordinate;
 use super::scan::{Fault, Scanner, integer, quote};
-use super::{RawMesh, read_point, write_decimal};
+use super::{RawMesh, plain, read_point, write_decimal};
 use crate::mesh::Mesh;
 
 pub(super) fn read<S: Coordinate>(bytes: &[u8]) -> Result<RawMesh<S>, Fault> {
     let mut mesh = RawMesh::default();
-    let mut scanner = Scanner::new(bytes, true);
+    records(&mut Scanner::new(bytes, true), &mut mesh)?;
+    Ok(mesh)
+}
+
+/// Reads all that is left into a mesh.
+pub(super) fn records<S: Coordinate>(
+    scanner: &mut Scanner,
+    mesh: &mut RawMesh<S>,
+) -> Result<(), Fault> {
     let mut dropped: Vec<(&[u8], u32, u32)> = Vec::new();
     loop {
+        plain::lines(scanner, mesh)?;
         let line = scanner.line();
         match scanner.word() {
             None => {}
-            Some(b"v") => vertex(&mut scanner, &mut mesh)?,
-            Some(b"f") => face(&mut scanner, &mut mesh)?,
+            Some(b"v") => vertex(scanner, mesh)?,
+            Some(b"f") => face(scanner, mesh)?,
             Some(
                 b"vt" | b"vn" | b"vp" | b"g" | b"o" | b"s" | b"mg" | b"usemtl" | b"mtllib"
                 | b"usemap" | b"maplib" | b"bevel" | b"c_interp" | b"d_interp" | b"lod"
@@ -48,7 +57,7 @@ pub(super) fn read<S: Coordinate>(bytes: &[u8]) -> Result<RawMesh<S>, Fault> {
             "{count} records '{kind}' (the first on line {line}) are left out: only v and f are read"
         ));
     }
-    Ok(mesh)
+    Ok(())
 }
 
 #[inline]
@@ -90,6 +99,7 @@ fn face<S>(scanner: &mut Scanner, mesh: &mut RawMesh<S>) -> Result<(), Fault> {
             return Err(Fault::new(scanner.line(), what));
         };
         let known = mesh.positions.len() as i64;
+        mesh.counts_backwards |= index < 0;
         let vertex = if index > 0 { index - 1 } else { known + index };
         if index == 0 || vertex < 0 {
             let what = if index == 0 {

@@ -31,6 +31,11 @@ impl<'a> Scanner<'a> {
     /// A cursor at the start, behind a byte order mark if there is one.
     pub fn new(bytes: &'a [u8], continues: bool) -> Self {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        Self::inside(bytes, continues)
+    }
+
+    /// A cursor at the start of a part of a file.
+    pub fn inside(bytes: &'a [u8], continues: bool) -> Self {
         Self {
             bytes,
             position: 0,
@@ -48,6 +53,19 @@ impl<'a> Scanner<'a> {
     /// Number of bytes not yet read.
     pub fn remaining(&self) -> usize {
         self.bytes.len() - self.position
+    }
+
+    /// The bytes not yet read.
+    #[inline]
+    pub fn rest(&self) -> &'a [u8] {
+        &self.bytes[self.position..]
+    }
+
+    /// Goes behind a line of so many bytes.
+    #[inline]
+    pub fn pass_line(&mut self, length: usize) {
+        self.position += length;
+        self.line += 1;
     }
 
     /// Goes to the next word of this line, comments apart; false if there is none.

@@ -6,12 +6,17 @@
 //!    half-edges on average when faces are triangles); the few long ones are sorted.
 //! 4. A walk round each vertex counts its fan. If the fans hold all corners, each vertex has one.
 
+use rayon::prelude::*;
+
 use super::layout::{Layout, Polygons, Uniform, UniformOf};
 use super::pairing::pair;
 use super::{BOUNDARY, NONE, Topology, TopologyError};
 
 /// Repeated corners are found by linear search in faces up to this size.
 const SHORT: usize = 32;
+
+/// Vertices of which one thread is faster.
+const FEW: usize = 1 << 14;
 
 /// Half-edges must leave a bit for their direction.
 const MAX_CORNERS: usize = (1 << 31) - 1;
@@ -254,19 +259,24 @@ fn count_fans<L: Layout>(
         let [a, b] = edges[edge_of[prev as usize] as usize];
         a ^ b ^ prev
     };
-    let mut walked = 0;
-    for (&start, valence) in first.iter().zip(&mut valence) {
+    let walk = |(&start, valence): (&u32, &mut u32)| {
         if start == NONE {
-            continue;
+            return 0;
         }
         let (mut h, mut faces) = (start, 0);
         while h != NONE && (faces == 0 || h != start) {
             faces += 1;
             h = rotate(h);
         }
-        walked += faces;
         *valence |= faces + (*valence >> 31);
-    }
+        faces
+    };
+    let walked: u32 = if first.len() < FEW {
+        first.iter().zip(&mut valence).map(walk).sum()
+    } else {
+        let vertices = first.par_iter().zip(&mut valence);
+        vertices.with_min_len(FEW / 4).map(walk).sum()
+    };
     if walked as usize == origin.len() {
         return Ok(valence);
     }

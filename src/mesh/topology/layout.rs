@@ -3,7 +3,7 @@
 use super::{next_in, prev_in};
 
 /// How half-edges are grouped into faces.
-pub(super) trait Layout: Copy {
+pub(super) trait Layout: Copy + Sync {
     fn next(self, h: u32) -> u32;
     fn prev(self, h: u32) -> u32;
     fn face_of(self, h: u32) -> u32;

@@ -88,30 +88,29 @@ impl Topology {
 
     /// The connected components.
     pub fn components(&self) -> Components {
-        let mut of_vertex = vec![NONE; self.vertex_count() as usize];
-        let mut count = 0;
-        let mut pending = Vec::new();
-        for seed in 0..self.vertex_count() {
-            if of_vertex[seed as usize] != NONE || self.first_halfedge(seed) == NONE {
-                continue;
-            }
-            of_vertex[seed as usize] = count;
-            pending.push(seed);
-            while let Some(v) = pending.pop() {
-                // In an open fan, the last neighbour is the corner before v in the last face.
-                for w in self
-                    .fan(v)
-                    .flat_map(|h| [self.target(h), self.origin(self.prev(h))])
-                {
-                    if of_vertex[w as usize] == NONE {
-                        of_vertex[w as usize] = count;
-                        pending.push(w);
-                    }
-                }
-            }
-            count += 1;
+        // Trees of vertices whose roots are the least of their trees: each edge joins two.
+        let mut above: Vec<u32> = (0..self.vertex_count()).collect();
+        for &[h, _] in &self.edges {
+            let [a, b] = [self.origin(h), self.target(h)].map(|v| root(&mut above, v));
+            above[a.max(b) as usize] = a.min(b);
         }
-        Components { count, of_vertex }
+        let mut count = 0;
+        for v in 0..self.vertex_count() {
+            let least = above[v as usize];
+            above[v as usize] = if self.first_halfedge(v) == NONE {
+                NONE
+            } else if least == v {
+                count += 1;
+                count - 1
+            } else {
+                // What is above v is less than v: its component is there already.
+                above[least as usize]
+            };
+        }
+        Components {
+            count,
+            of_vertex: above,
+        }
     }
 
     /// The vertices without any face, in order. They are allowed, but deserve a warning.
@@ -126,13 +125,14 @@ impl Topology {
     }
 
     /// The number of handles, all components together.
-    ///
-    /// With c components, b boundary loops and Euler characteristic χ, it is (2c − b − χ) / 2.
     pub fn genus(&self) -> u32 {
-        let components = i64::from(self.components().count);
-        let loops = self.boundary_loops().len() as i64;
+        self.handles(self.components().count, self.boundary_loops().len())
+    }
+
+    /// With c components, b boundary loops and Euler characteristic χ, there are (2c − b − χ) / 2 handles.
+    pub(crate) fn handles(&self, components: u32, loops: usize) -> u32 {
         // Even and never negative: oriented components are spheres with handles and holes.
-        ((2 * components - loops - self.euler_characteristic()) / 2) as u32
+        ((2 * i64::from(components) - loops as i64 - self.euler_characteristic()) / 2) as u32
     }
 
     /// How many vertices there are of each valence: interior ones, then boundary ones. Isolated
@@ -158,4 +158,15 @@ impl Topology {
         let valence = self.valence[v as usize];
         valence < super::BOUNDARY && valence != self.regular_valence() && valence != 0
     }
+}
+
+/// The root of the tree of `v`; the way there is halved for those who come later.
+#[inline]
+fn root(above: &mut [u32], mut v: u32) -> u32 {
+    while above[v as usize] != v {
+        let next = above[above[v as usize] as usize];
+        above[v as usize] = next;
+        v = next;
+    }
+    v
 }

@@ -13,6 +13,7 @@
 //! large ε: then 0 steps do, `depth.max(0)`. All functions panic unless ε > 0 and the norms are at least 0.
 //! A float x is the rational `Rational::from_float(x)`, exactly.
 
+use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 use super::printed;
@@ -53,7 +54,19 @@ fn check(norm: &Rational, epsilon: &Rational) {
 pub fn theorem_4(m0: &Rational, epsilon: &Rational) -> Option<i64> {
     check(m0, epsilon);
     let x = m0 * ratio(printed::THIRD) / epsilon;
-    ceiling(&x, &ratio(printed::QUARTER).recip())
+    let base = ratio(printed::QUARTER).recip();
+    if x.is_zero() {
+        return None;
+    }
+    // (33) asks for many of these. The numbers' lengths tell l but for a step or two: x > 2^(bits - 1), and
+    // (bits - 1) / 2 >= l here.
+    let bits = |x: &BigInt| x.bits() as i32;
+    let mut l = (bits(x.numer()) - bits(x.denom())).div_euclid(2) - 1;
+    debug_assert!(x > base.pow(l), "a start below the logarithm to base 4");
+    while x > base.pow(l) {
+        l += 1;
+    }
+    Some(i64::from(l))
 }
 
 /// The least k >= 0 with `M^0 / (3 4^k) < ε`: the number of steps that makes Theorem 4 true as printed.
