@@ -2,25 +2,24 @@
 
 use super::{Context, Found, NoDepth, Request};
 use crate::mesh::Mesh;
-use crate::predict::differences::{self, Bounds};
+use crate::predict::differences::{self, Bounds, LocalSteps};
 use crate::refine::RefineError;
 
-fn bounds<'a>(
-    mesh: &'a Mesh,
-    request: &Request,
-    local_steps: u32,
-) -> Result<Bounds<'a>, RefineError> {
-    let asked = differences::Request {
+fn asked(request: &Request, local_steps: u32) -> differences::Request {
+    differences::Request {
         scheme: request.scheme,
         corner: request.corner,
         against: request.against,
         local_steps,
-    };
-    Bounds::new(mesh, &asked)
+    }
+}
+
+pub(super) fn steps<'a>(mesh: &'a Mesh, request: &Request) -> Result<LocalSteps<'a>, RefineError> {
+    LocalSteps::new(mesh, &asked(request, 0))
 }
 
 pub(super) fn depth(context: &Context<'_>, local_steps: u32) -> Result<Found, NoDepth> {
-    let bounds = bounds(context.mesh, context.request, local_steps)?;
+    let bounds = context.steps.borrow_mut().bounds(local_steps)?;
     let depth = bounds
         .depth(context.request.tolerance)
         .ok_or_else(|| NoDepth(format!("none up to {} is proved", Bounds::DEEPEST)))?;
@@ -45,5 +44,6 @@ pub fn face_depths(
     request: &Request,
     local_steps: u32,
 ) -> Result<Vec<Option<u32>>, RefineError> {
-    Ok(bounds(mesh, request, local_steps)?.face_depths(request.tolerance))
+    let bounds = Bounds::new(mesh, &asked(request, local_steps))?;
+    Ok(bounds.face_depths(request.tolerance))
 }

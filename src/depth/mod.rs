@@ -24,14 +24,14 @@ pub mod printed;
 pub mod study;
 pub mod tabulated;
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::fmt;
 
 use crate::bound::Against;
 use crate::mesh::Mesh;
 use crate::mesh::frame::printed_above;
-use crate::refine::enclosure::largest_coordinate;
-use crate::refine::{RefineError, topology};
+use crate::predict::differences::LocalSteps;
+use crate::refine::RefineError;
 use crate::scheme::{CornerRule, Scheme};
 
 pub use method::Method;
@@ -129,6 +129,8 @@ pub(crate) struct Context<'a> {
     mesh: &'a Mesh,
     request: &'a Request,
     norms: OnceCell<Result<Norms, NoDepth>>,
+    /// Bounds by certified constants, as far as they were asked for.
+    steps: RefCell<LocalSteps<'a>>,
 }
 
 impl Context<'_> {
@@ -185,12 +187,11 @@ pub fn predict(
     if request.scheme == Scheme::DooSabin && request.corner == CornerRule::Sharp {
         return Err(RefineError::CornerRule);
     }
-    topology::check(request.scheme, &mesh.topology)?;
-    largest_coordinate(&mesh.positions)?;
     let context = Context {
         mesh,
         request,
         norms: OnceCell::new(),
+        steps: RefCell::new(differences::steps(mesh, request)?),
     };
     Ok(methods.iter().map(|&m| answer(&context, m)).collect())
 }

@@ -376,8 +376,10 @@ impl Room {
         let mut all = *place;
         for ((row, top), &v) in rows.iter_mut().zip(&mut self.top[..]).zip(vertices) {
             let [x, y, z] = positions[v as usize].0;
-            *row = [x, y, z, 0.0];
-            all.meet(f64x4::from(*row));
+            let point = f64x4::new([x, y, z, 0.0]);
+            // One store: reading four lanes just after other ones waits for these.
+            *row = point.to_array();
+            all.meet(point);
             *top = 0.0;
         }
         *place = all;

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::Request;
+use super::connectivity::Connectivity;
 use super::levels::{Kinds, Outward};
 use super::quads::{self, QuadLevels, Quads};
 use super::quarters::{self, QuarterLevels, Quarters};
@@ -13,55 +14,68 @@ use crate::bound::Against;
 use crate::mesh::{Point, Topology};
 use crate::refine::{RefineError, Refiner, refine_topology};
 use crate::scalar::float::gamma;
-use crate::scheme::Scheme;
+use crate::scheme::{LoopWeights, Scheme};
 
 /// Above what underflow of squares takes from a length in a frame of size 1, or above 2^-200.
 const TINY: f64 = 1e-150;
 
-/// A refined mesh, known up to a radius.
+/// A mesh of some level in some unit, known up to a radius.
 struct Level<'a> {
-    topology: Cow<'a, Topology>,
+    topology: Connectivity<'a>,
     positions: Cow<'a, [Point<f64>]>,
     radius: f64,
+}
+
+impl Level<'_> {
+    fn short_of(&self, extent: f64) -> f64 {
+        short_of(largest_valence(&self.topology), extent, self.radius)
+    }
 }
 
 /// Makes stages, refining where needed.
 pub(super) struct Maker<'a> {
     request: Request,
     refiner: Refiner<Point<f64>>,
-    extent: f64,
+    unit: Unit,
+    /// The mesh in its own unit.
+    given: Level<'a>,
+    /// It and its refinements in the frame, as far as they were needed.
     levels: Vec<Level<'a>>,
 }
 
 impl<'a> Maker<'a> {
-    /// In the unit of a frame.
+    /// For a mesh that the scheme takes.
+    ///
+    /// # Errors
+    /// As [`Unit::of`].
     pub(super) fn new(
         request: &Request,
         topology: &'a Topology,
         positions: &'a [Point<f64>],
-        unit: &Unit,
-    ) -> Self {
-        let (positions, radius) = match &unit.frame {
-            None => (Cow::Borrowed(positions), 0.0),
-            Some(frame) => {
-                let (positions, radius) = frame.enter(positions);
-                (Cow::Owned(positions), radius)
-            }
-        };
-        Maker {
+    ) -> Result<Self, RefineError> {
+        Ok(Maker {
             request: *request,
             refiner: Refiner::new(request.scheme, request.corner),
-            extent: unit.extent,
-            levels: vec![Level {
-                topology: Cow::Borrowed(topology),
-                positions,
-                radius,
-            }],
-        }
+            unit: Unit::of(request.scheme, topology, positions)?,
+            given: Level {
+                topology: Connectivity::Given(topology),
+                positions: Cow::Borrowed(positions),
+                radius: 0.0,
+            },
+            levels: Vec::new(),
+        })
     }
 
     /// Refines up to a level.
     fn reach(&mut self, level: usize) -> Result<(), RefineError> {
+        if self.levels.is_empty() {
+            let (positions, radius) = self.unit.frame.enter(&self.given.positions);
+            self.levels.push(Level {
+                topology: self.given.topology.clone(),
+                positions: Cow::Owned(positions),
+                radius,
+            });
+        }
         while self.levels.len() <= level {
             let last = self.levels.last().expect("there is level 0");
             let mut positions = Vec::new();
@@ -73,7 +87,7 @@ impl<'a> Maker<'a> {
             )?;
             let topology = refine_topology(self.request.scheme, &last.topology)?;
             self.levels.push(Level {
-                topology: Cow::Owned(topology),
+                topology: Connectivity::Refined(topology.into()),
                 positions: Cow::Owned(positions),
                 radius,
             });
@@ -82,10 +96,8 @@ impl<'a> Maker<'a> {
     }
 
     fn outward(&self) -> Outward {
-        let of = |level: usize| {
-            let level = &self.levels[level.min(self.levels.len() - 1)];
-            short_of(largest_valence(&level.topology), self.extent, level.radius)
-        };
+        let extent = self.unit.extent();
+        let of = |level: usize| self.levels[level.min(self.levels.len() - 1)].short_of(extent);
         Outward {
             off: [0, 1, 2, 3, 4].map(of),
         }
@@ -94,48 +106,47 @@ impl<'a> Maker<'a> {
     /// The faces after j steps.
     pub(super) fn stage(&mut self, j: usize) -> Result<Stage<'a>, RefineError> {
         match self.request.scheme {
-            Scheme::Loop(weights) => {
-                let request = self.request;
-                let from = j.saturating_sub(1);
-                self.reach(from)?;
-                let outward = self.outward();
-                let level = &self.levels[from];
-                let (kinds, of_vertex) = Kinds::of_vertices(
-                    request.scheme,
-                    request.corner,
-                    request.against,
-                    &level.topology,
-                );
-                let triangles = match j {
-                    0 => Triangles::now(
-                        level.topology.clone(),
-                        &level.positions,
-                        request.scheme,
-                        request.against,
-                        &kinds,
-                        of_vertex,
-                    ),
-                    _ => Triangles::after_a_step(
-                        level.topology.clone(),
-                        &level.positions,
-                        weights,
-                        &kinds,
-                        of_vertex,
-                        j,
-                    ),
-                };
-                let children = Children::Shift(2 * from as u32);
-                let faces = Faces::Triangles(Box::new(triangles));
-                Ok(stage(faces, kinds, outward, children))
-            }
+            Scheme::Loop(weights) => self.triangles(weights, j),
             Scheme::CatmullClark => self.quads(j),
             Scheme::DooSabin => self.quarters(j),
         }
     }
 
+    /// The last step is a formula.
+    fn triangles(&mut self, weights: LoopWeights, j: usize) -> Result<Stage<'a>, RefineError> {
+        let Request {
+            scheme,
+            corner,
+            against,
+            ..
+        } = self.request;
+        let from = j.saturating_sub(1);
+        let (level, outward, exponent) = if self.unit.plain && from == 0 {
+            let off = self.given.short_of(self.unit.plain_extent());
+            (&self.given, Outward { off: [off; 5] }, 0)
+        } else {
+            self.reach(from)?;
+            let outward = self.outward();
+            (&self.levels[from], outward, self.unit.frame.exponent)
+        };
+        let (kinds, of_vertex) = Kinds::of_vertices(scheme, corner, against, &level.topology);
+        let (topology, positions) = (level.topology.clone(), &level.positions);
+        let triangles = match j {
+            0 => Triangles::now(topology, positions, scheme, against, &kinds, of_vertex),
+            _ => Triangles::after_a_step(topology, positions, weights, &kinds, of_vertex, j),
+        };
+        Ok(Stage {
+            kinds: kinds.into(),
+            outward,
+            exponent,
+            faces: Faces::Triangles(Box::new(triangles)),
+            children: Children::Shift(2 * from as u32),
+        })
+    }
+
     fn quads(&mut self, j: usize) -> Result<Stage<'a>, RefineError> {
         let request = self.request;
-        let mut all: Vec<(Topology, Quads)> = Vec::new();
+        let mut all = Vec::new();
         let (mut kinds, mut moved) = (None, Vec::new());
         self.reach(j)?;
         let mut faces: Vec<u32> = (0..self.levels[j].topology.face_count()).collect();
@@ -158,7 +169,7 @@ impl<'a> Maker<'a> {
             let quads = Quads::new(&level.topology, &level.positions, &own, of_vertex);
             faces = quads.children_of_waiting(&level.topology, &faces);
             kinds = Some(own);
-            all.push((level.topology.clone().into_owned(), quads));
+            all.push((level.topology.clone(), quads));
             if faces.is_empty() {
                 break;
             }
@@ -172,14 +183,12 @@ impl<'a> Maker<'a> {
             moved,
         };
         let kinds = kinds.expect("a level");
-        let outward = self.outward();
-        let children = self.children_by_corners(j);
-        Ok(stage(Faces::Quads(first), kinds, outward, children))
+        Ok(self.framed(kinds, Faces::Quads(first), self.children_by_corners(j)))
     }
 
     fn quarters(&mut self, j: usize) -> Result<Stage<'a>, RefineError> {
         let request = self.request;
-        let mut all: Vec<Quarters> = Vec::new();
+        let mut all: Vec<Quarters<'a>> = Vec::new();
         let (mut kinds, mut moved): (Option<Kinds>, _) = (None, Vec::new());
         let mut waiting: Option<Vec<u32>> = None;
         loop {
@@ -191,8 +200,7 @@ impl<'a> Maker<'a> {
                 None => (own, of_face),
                 Some(known) => merged(known, &own, of_face),
             };
-            let topology = level.topology.clone().into_owned();
-            let quarters = Quarters::new(topology, &level.positions, of_face);
+            let quarters = Quarters::new(level.topology.clone(), &level.positions, of_face);
             // A half-edge's own vertex has the children of its quarter.
             let asked = match waiting {
                 None => quarters.with_surface(),
@@ -218,10 +226,19 @@ impl<'a> Maker<'a> {
             levels: all,
             moved,
         };
-        let children = self.children_by_vertices(j);
-        let outward = self.outward();
         let kinds = kinds.expect("a level");
-        Ok(stage(Faces::Quarters(levels), kinds, outward, children))
+        Ok(self.framed(kinds, Faces::Quarters(levels), self.children_by_vertices(j)))
+    }
+
+    /// A stage in the frame's unit.
+    fn framed(&self, kinds: Kinds, faces: Faces<'a>, children: Children) -> Stage<'a> {
+        Stage {
+            kinds: kinds.into(),
+            outward: self.outward(),
+            exponent: self.unit.frame.exponent,
+            faces,
+            children,
+        }
     }
 
     /// The mesh of a level whose distance is bounded: control points or limits.
@@ -323,13 +340,4 @@ fn merged(known: &Kinds, own: &Kinds, mut numbers: Vec<u16>) -> (Kinds, Vec<u16>
         *number = renumbered[usize::from(*number)];
     }
     (all, numbers)
-}
-
-fn stage(faces: Faces<'_>, kinds: Kinds, outward: Outward, children: Children) -> Stage<'_> {
-    Stage {
-        kinds: kinds.into(),
-        outward,
-        faces,
-        children,
-    }
 }

@@ -28,7 +28,8 @@
 //! | [`star`] | bounds for vertices that no table knows: large valences, boundaries |
 //! | [`triangles`], [`quads`], [`quarters`] | M of the ready faces of a mesh, per scheme |
 //! | [`clusters`], [`Prepared`] | the same for one connectivity and many positions |
-//! | `maker`, `stage`, `unit` | local steps; the faces after them; the unit of their lengths |
+//! | `maker`, `stage`, `unit`, [`connectivity`] | local steps; the faces after them; their unit and connectivity |
+//! | [`LocalSteps`] | bounds by 0, 1, .. local steps, one after the other |
 //! | [`levels`], [`MeshBounds`] | from ready faces to a bound at each level |
 
 use rayon::prelude::*;
@@ -39,8 +40,10 @@ use crate::refine::RefineError;
 use crate::scheme::{CornerRule, Scheme};
 
 pub mod clusters;
+pub mod connectivity;
 pub mod constants;
 pub mod levels;
+mod local_steps;
 mod maker;
 mod prepared;
 pub mod quads;
@@ -53,10 +56,10 @@ mod vector;
 mod whole;
 
 use levels::{Lengths, Seen};
+pub use local_steps::LocalSteps;
 use maker::Maker;
 pub use prepared::Prepared;
 use stage::{BLOCK, Stage};
-use unit::Unit;
 pub use whole::MeshBounds;
 
 /// What is bounded.
@@ -108,17 +111,13 @@ impl<'a> Bounds<'a> {
     /// If there are more than [`Bounds::MOST_STEPS`] local steps.
     pub fn new(mesh: &'a Mesh, request: &Request) -> Result<Self, RefineError> {
         request.check(&mesh.topology)?;
-        let unit = Unit::of(request, &mesh.topology, &mesh.positions)?;
-        let mut maker = Maker::new(request, &mesh.topology, &mesh.positions, &unit);
+        let mut maker = Maker::new(request, &mesh.topology, &mesh.positions)?;
         let steps = 0..=request.local_steps as usize;
-        let stages = steps
-            .map(|j| maker.stage(j))
-            .collect::<Result<Vec<_>, _>>()?;
-        let lengths = stages.iter().map(|s| (s.kinds.clone(), s.lengths()));
+        let stages: Result<Vec<_>, _> = steps.map(|j| maker.stage(j)).collect();
+        let stages = stages?;
         Ok(Bounds {
             mesh: MeshBounds {
-                stages: lengths.collect(),
-                exponent: unit.exponent,
+                stages: stages.iter().map(Stage::bounds).collect(),
             },
             stages,
             faces: mesh.topology.face_count(),
@@ -159,8 +158,11 @@ impl<'a> Bounds<'a> {
 
     fn face_bound(&self, lengths: &[Lengths], stages: &[Stage<'a>], k: u32) -> f64 {
         let pairs = lengths.iter().zip(stages).take(k as usize + 1);
-        let bounds = pairs.map(|(lengths, stage)| lengths.bound(&stage.kinds, k as usize));
-        whole::in_unit(self.mesh.exponent, bounds.fold(f64::INFINITY, f64::min))
+        let bounds = pairs.map(|(lengths, stage)| {
+            let bound = lengths.bound(&stage.kinds, k as usize);
+            whole::in_unit(stage.exponent, bound)
+        });
+        bounds.fold(f64::INFINITY, f64::min)
     }
 
     fn by_face<T: Send>(&self, of: impl Fn(&[Lengths], &[Stage<'a>]) -> T + Sync) -> Vec<T> {

@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use super::clusters::Clusters;
 use super::levels::{Kinds, Lengths, Outward};
-use super::maker::{Maker, largest_valence, short_of};
+use super::local_steps::LocalSteps;
+use super::maker::{largest_valence, short_of};
 use super::triangles::Rates;
 use super::unit::Unit;
+use super::whole::StageBounds;
 use super::{MeshBounds, Request};
 use crate::mesh::frame::Frame;
 use crate::mesh::{Point, Topology};
@@ -98,24 +100,14 @@ impl<'a> Prepared<'a> {
     /// step would be too large for 32-bit indices.
     pub fn bounds(&self, positions: &[Point<f64>]) -> Result<MeshBounds, RefineError> {
         if let Some(ready) = &self.ready
-            && let Some(stage) = ready.stage(&self.request, positions)
+            && let Some(stage) = ready.stage(self.request.scheme, positions)
         {
             return Ok(MeshBounds {
                 stages: vec![stage],
-                exponent: 0,
             });
         }
-        let unit = Unit::of(&self.request, self.topology, positions)?;
-        let mut maker = Maker::new(&self.request, self.topology, positions, &unit);
-        let stage = |j: u32| {
-            let stage = maker.stage(j as usize)?;
-            Ok((stage.kinds.clone(), stage.lengths()))
-        };
-        let stages: Result<Vec<_>, _> = (0..=self.request.local_steps).map(stage).collect();
-        Ok(MeshBounds {
-            stages: stages?,
-            exponent: unit.exponent,
-        })
+        let mut steps = LocalSteps::of(&self.request, self.topology, positions)?;
+        steps.bounds(self.request.local_steps)
     }
 
     /// Bytes that the preparation holds beside the mesh.
@@ -126,7 +118,7 @@ impl<'a> Prepared<'a> {
 
 impl Ready {
     /// `None` where positions are wrong or need another unit.
-    fn stage(&self, request: &Request, positions: &[Point<f64>]) -> Option<(Arc<Kinds>, Lengths)> {
+    fn stage(&self, scheme: Scheme, positions: &[Point<f64>]) -> Option<StageBounds> {
         if positions.len() != self.vertices {
             return None;
         }
@@ -136,13 +128,17 @@ impl Ready {
         }
         let (seen, place) = self.clusters.largest(positions, &self.kinds, &self.rates);
         // What was computed counts if coordinates are far from the limits of f64.
-        let unit = Unit::for_frame(request, Frame::between(place.corners()?, true));
-        if unit.frame.is_some() {
+        let unit = Unit::by(scheme, Frame::between(place.corners()?, true));
+        if !unit.plain {
             return None;
         }
         let outward = Outward {
-            off: [short_of(self.valence, unit.extent, 0.0); 5],
+            off: [short_of(self.valence, unit.plain_extent(), 0.0); 5],
         };
-        Some((self.kinds.clone(), Lengths::of_mesh(&seen, &outward)))
+        Some(StageBounds {
+            kinds: self.kinds.clone(),
+            lengths: Lengths::of_mesh(&seen, &outward),
+            exponent: 0,
+        })
     }
 }

@@ -13,6 +13,7 @@
 //!
 //! **Roundings.** As in [`super::triangles`].
 
+use super::connectivity::Connectivity;
 use super::levels::{Kinds, Visit};
 use super::star::Vertex;
 use super::triangles::delta;
@@ -115,16 +116,16 @@ impl Quads {
 
 /// The levels from the first on, until all faces are ready.
 #[derive(Clone, Debug)]
-pub struct QuadLevels {
+pub struct QuadLevels<'a> {
     /// The number of the first level.
     pub first: usize,
     /// Connectivity and squares.
-    pub levels: Vec<(Topology, Quads)>,
+    pub levels: Vec<(Connectivity<'a>, Quads)>,
     /// Squares of how far each face of a level moves, for all but the last.
     pub moved: Vec<Vec<f64>>,
 }
 
-impl QuadLevels {
+impl QuadLevels<'_> {
     /// The ready faces of a face of the first level.
     pub fn visit(&self, face: u32, to: &mut impl Visit) {
         self.descend(0, face, to);

@@ -8,26 +8,27 @@
 //!
 //! **Roundings.** As in [`super::triangles`].
 
+use super::connectivity::Connectivity;
 use super::levels::Visit;
 use super::vector::{Vector, middle, minus, second, square};
-use crate::mesh::{Point, Topology};
+use crate::mesh::Point;
 
 /// The levels from the first on, until all quarters are ready.
 #[derive(Clone, Debug)]
-pub struct QuarterLevels {
+pub struct QuarterLevels<'a> {
     /// The number of the first level.
     pub first: usize,
     /// Each level.
-    pub levels: Vec<Quarters>,
+    pub levels: Vec<Quarters<'a>>,
     /// Squares of how far the mesh of a level moves over each quarter (by half-edge), for all but the last.
     pub moved: Vec<Vec<f64>>,
 }
 
 /// One level.
 #[derive(Clone, Debug)]
-pub struct Quarters {
+pub struct Quarters<'a> {
     /// Connectivity.
-    pub topology: Topology,
+    pub topology: Connectivity<'a>,
     positions: Vec<Vector>,
     /// Squared diameters of faces; 0 for quads.
     diameters: Vec<f64>,
@@ -35,9 +36,9 @@ pub struct Quarters {
     kinds: Vec<u16>,
 }
 
-impl Quarters {
+impl<'a> Quarters<'a> {
     /// The squares of a level; `kinds` is that of each face.
-    pub fn new(topology: Topology, positions: &[Point<f64>], kinds: Vec<u16>) -> Self {
+    pub fn new(topology: Connectivity<'a>, positions: &[Point<f64>], kinds: Vec<u16>) -> Self {
         let diameter = |f: u32| {
             let corners = topology.corners(f);
             if corners.len() == 4 {
@@ -110,7 +111,7 @@ impl Quarters {
     }
 }
 
-impl QuarterLevels {
+impl QuarterLevels<'_> {
     /// The ready quarters of a face of the first level.
     pub fn visit(&self, face: u32, to: &mut impl Visit) {
         for h in self.levels[0].topology.halfedges(face) {
@@ -136,7 +137,7 @@ impl QuarterLevels {
 
 /// For each quarter (by half-edge) the square of the largest distance between a level's mesh and the next one's
 /// over it; both are bilinear over its four quarters.
-pub fn moves(coarse: &Quarters, fine: &Quarters) -> Vec<f64> {
+pub fn moves(coarse: &Quarters<'_>, fine: &Quarters<'_>) -> Vec<f64> {
     let t = &coarse.topology;
     let of_quarter = |h: u32| {
         if !coarse.has_surface(h) {
@@ -175,7 +176,7 @@ pub fn moves(coarse: &Quarters, fine: &Quarters) -> Vec<f64> {
     (0..t.halfedge_count()).map(of_quarter).collect()
 }
 
-impl Quarters {
+impl Quarters<'_> {
     fn centroid(&self, f: u32) -> Vector {
         let corners = self.topology.corners(f);
         let mut sum = [0.0; 3];

@@ -8,12 +8,15 @@ use super::levels::{Kinds, Largest, Lengths, Outward, Seen, Visit};
 use super::quads::QuadLevels;
 use super::quarters::QuarterLevels;
 use super::triangles::Triangles;
+use super::whole::StageBounds;
 
 /// The faces after a number of local steps.
 #[derive(Clone, Debug)]
 pub(super) struct Stage<'a> {
     pub(super) kinds: Arc<Kinds>,
     pub(super) outward: Outward,
+    /// Lengths in the mesh's unit are 2^exponent times those here.
+    pub(super) exponent: i32,
     pub(super) faces: Faces<'a>,
     /// Where those below a face of the mesh are.
     pub(super) children: Children,
@@ -33,8 +36,8 @@ pub(super) enum Children {
 #[derive(Clone, Debug)]
 pub(super) enum Faces<'a> {
     Triangles(Box<Triangles<'a>>),
-    Quads(QuadLevels),
-    Quarters(QuarterLevels),
+    Quads(QuadLevels<'a>),
+    Quarters(QuarterLevels<'a>),
 }
 
 impl Faces<'_> {
@@ -64,8 +67,8 @@ impl Faces<'_> {
 pub(super) const BLOCK: u32 = 1 << 13;
 
 impl Stage<'_> {
-    /// The lengths behind the bounds of the whole mesh.
-    pub(super) fn lengths(&self) -> Lengths {
+    /// The bounds of the whole mesh.
+    pub(super) fn bounds(&self) -> StageBounds {
         let (count, levels) = self.faces.extent();
         let new = || Largest::new(levels, self.kinds.list.len());
         let blocks = (0..count.div_ceil(BLOCK)).into_par_iter();
@@ -80,7 +83,11 @@ impl Stage<'_> {
                 seen
             })
             .reduce(new, |a, b| a.join(&b));
-        Lengths::of_mesh(&seen, &self.outward)
+        StageBounds {
+            kinds: self.kinds.clone(),
+            lengths: Lengths::of_mesh(&seen, &self.outward),
+            exponent: self.exponent,
+        }
     }
 
     /// What lies below a face of the mesh.

@@ -21,6 +21,7 @@
 
 use rayon::prelude::*;
 
+use super::connectivity::Connectivity;
 use super::constants::{beside, to_limit};
 use super::levels::{Kinds, Visit};
 use super::star::{Vertex, first_step};
@@ -36,7 +37,7 @@ const FEW: usize = 1 << 14;
 /// The squares behind M of the faces of one level.
 #[derive(Clone, Debug)]
 pub struct Triangles<'a> {
-    topology: std::borrow::Cow<'a, Topology>,
+    topology: Connectivity<'a>,
     kinds: Vec<u16>,
     /// The largest square at each vertex.
     vertex: Vec<f64>,
@@ -98,14 +99,14 @@ impl Rates {
 impl<'a> Triangles<'a> {
     /// Faces of a level as they are.
     pub fn now(
-        topology: std::borrow::Cow<'a, Topology>,
+        topology: Connectivity<'a>,
         positions: &[Point<f64>],
         scheme: Scheme,
         against: Against,
         kinds: &Kinds,
         of_vertex: Vec<u16>,
     ) -> Self {
-        let t = topology.as_ref();
+        let t: &Topology = &topology;
         let (origins, edges) = (t.origins(), &t.edges[..]);
         let of_edges = |range: std::ops::Range<usize>, top: &mut [f64]| {
             for &halves in &edges[range] {
@@ -132,14 +133,14 @@ impl<'a> Triangles<'a> {
 
     /// The children of the faces of a level, by formula; `level` is theirs.
     pub fn after_a_step(
-        topology: std::borrow::Cow<'a, Topology>,
+        topology: Connectivity<'a>,
         positions: &[Point<f64>],
         weights: LoopWeights,
         kinds: &Kinds,
         of_vertex: Vec<u16>,
         level: usize,
     ) -> Self {
-        let t = topology.as_ref();
+        let t: &Topology = &topology;
         let alphas: Vec<Vector> = (0..t.edge_count() as usize)
             .into_par_iter()
             .with_min_len(FEW)

@@ -1,20 +1,17 @@
 //! The unit in which a mesh's differences are taken.
 
-use super::Request;
 use crate::mesh::frame::Frame;
 use crate::mesh::{Point, Topology};
 use crate::refine::RefineError;
 use crate::refine::enclosure::largest_coordinate;
 use crate::scheme::Scheme;
 
-/// A unit and an origin, or those of the mesh.
+/// A unit and an origin for refined meshes, and whether those of the mesh will do where nothing is refined.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Unit {
-    /// `None`: those of the mesh.
-    pub(super) frame: Option<Frame>,
-    /// Lengths in the mesh's unit are 2^exponent times those here.
-    pub(super) exponent: i32,
-    /// Twice the largest extent, or coordinate, here.
-    pub(super) extent: f64,
+    pub(super) frame: Frame,
+    /// Loop, and lengths far from the limits of f64.
+    pub(super) plain: bool,
 }
 
 impl Unit {
@@ -23,7 +20,7 @@ impl Unit {
     /// # Errors
     /// If and only if a coordinate is not finite, or there is not one position for each vertex.
     pub(super) fn of(
-        request: &Request,
+        scheme: Scheme,
         topology: &Topology,
         positions: &[Point<f64>],
     ) -> Result<Self, RefineError> {
@@ -32,29 +29,21 @@ impl Unit {
             return Err(RefineError::PositionCount { expected, found });
         }
         largest_coordinate(positions)?;
-        Ok(Self::for_frame(
-            request,
-            Frame::of(topology, positions, true),
-        ))
+        Ok(Self::by(scheme, Frame::of(topology, positions, true)))
     }
 
-    /// Takes a frame where it is needed.
-    pub(super) fn for_frame(request: &Request, frame: Frame) -> Self {
-        // Lengths far from the limits of f64 need no other unit where nothing is refined.
-        let plain = matches!(request.scheme, Scheme::Loop(_))
-            && request.local_steps < 2
-            && frame.exponent.abs() <= 200;
-        match plain {
-            true => Unit {
-                extent: 2.0 * 2f64.powi(frame.exponent) * frame.size,
-                exponent: 0,
-                frame: None,
-            },
-            false => Unit {
-                extent: 2.0 * frame.size,
-                exponent: frame.exponent,
-                frame: Some(frame),
-            },
-        }
+    pub(super) fn by(scheme: Scheme, frame: Frame) -> Self {
+        let plain = matches!(scheme, Scheme::Loop(_)) && frame.exponent.abs() <= 200;
+        Unit { frame, plain }
+    }
+
+    /// Twice the largest extent, or coordinate, in the mesh's own unit.
+    pub(super) fn plain_extent(&self) -> f64 {
+        2f64.powi(self.frame.exponent) * self.extent()
+    }
+
+    /// Twice the largest extent, or coordinate, in the frame.
+    pub(super) fn extent(&self) -> f64 {
+        2.0 * self.frame.size
     }
 }

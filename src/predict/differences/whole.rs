@@ -9,7 +9,14 @@ use super::levels::{Kinds, Lengths};
 #[derive(Clone, Debug)]
 pub struct MeshBounds {
     /// By 0, 1, .., j local steps.
-    pub(super) stages: Vec<(Arc<Kinds>, Lengths)>,
+    pub(super) stages: Vec<StageBounds>,
+}
+
+/// Bounds after a number of local steps.
+#[derive(Clone, Debug)]
+pub(super) struct StageBounds {
+    pub(super) kinds: Arc<Kinds>,
+    pub(super) lengths: Lengths,
     /// Lengths in the mesh's unit are 2^exponent times those here.
     pub(super) exponent: i32,
 }
@@ -22,8 +29,8 @@ impl MeshBounds {
     /// Levels beyond [`MeshBounds::DEEPEST`] have the bound of that.
     pub fn at(&self, k: u32) -> f64 {
         let stages = self.stages.iter().take(k as usize + 1);
-        let bounds = stages.map(|(kinds, lengths)| lengths.bound(kinds, k as usize));
-        in_unit(self.exponent, bounds.fold(f64::INFINITY, f64::min))
+        let bounds = stages.map(|s| in_unit(s.exponent, s.lengths.bound(&s.kinds, k as usize)));
+        bounds.fold(f64::INFINITY, f64::min)
     }
 
     /// The least k with [`MeshBounds::at`] at most the tolerance; `None` if there is none up to
