@@ -111,10 +111,14 @@ fn draw(area: &Area<'_>, plot: &Plot) -> Drawn {
         chart!((low * 0.8..high * 1.25).log_scale(), whole);
     } else {
         let pad = 0.08 * (high - low).max(1e-9);
+        // No room below 0 where nothing is.
+        let bottom = if low < 0.0 {
+            low - pad
+        } else {
+            (low - pad).max(0.0)
+        };
         let digits = if high - low < 0.1 { 3 } else { 2 };
-        chart!((low - pad).max(0.0)..high + pad, |y: &f64| format!(
-            "{y:.digits$}"
-        ));
+        chart!(bottom..high + pad, |y: &f64| format!("{y:.digits$}"));
     }
     Ok(())
 }

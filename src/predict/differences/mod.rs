@@ -45,6 +45,7 @@ pub mod constants;
 pub mod levels;
 mod local_steps;
 mod maker;
+mod parts;
 mod prepared;
 pub mod quads;
 pub mod quarters;

@@ -15,9 +15,10 @@
 
 use super::connectivity::Connectivity;
 use super::levels::{Kinds, Visit};
+use super::parts::by_parts;
 use super::star::Vertex;
 use super::triangles::delta;
-use super::vector::{Vector, middle, minus, second, square};
+use super::vector::{Vector, larger, middle, minus, second, square};
 use crate::mesh::{NONE, Point, Topology};
 
 /// The squares behind M of the quads of one level, and how far faces that wait move in the next step.
@@ -40,34 +41,16 @@ impl Quads {
         kinds: &Kinds,
         mut of_vertex: Vec<u16>,
     ) -> Self {
-        let mut vertex = vec![0.0_f64; topology.vertex_count() as usize];
-        let mut put = |v: u32, square: f64| {
-            let slot = &mut vertex[v as usize];
-            *slot = slot.max(square);
+        let of_edges = |edges: std::ops::Range<usize>, top: &mut [f64]| {
+            for e in edges {
+                of_edge(topology, positions, &of_vertex, e as u32, top);
+            }
         };
-        for e in 0..topology.edge_count() {
-            let [h, twin] = topology.edge_halfedges(e);
-            let is_quad = |h| topology.face_size(topology.face_of(h)) == 4;
-            if twin == NONE || !is_quad(h) || !is_quad(twin) {
-                continue;
-            }
-            let [at_a, at_x] = across(topology, positions, h, twin);
-            let largest = square(&at_a).max(square(&at_x));
-            let [a, x] = [topology.origin(h), topology.target(h)];
-            put(a, largest);
-            put(x, largest);
-            // The ghost row of a regular boundary vertex: 2ρ - σ.
-            for (v, rho, sigma) in [(a, at_a, at_x), (x, at_x, at_a)] {
-                if topology.is_boundary_vertex(v) && of_vertex[v as usize] == 0 {
-                    let ghost = [0, 1, 2].map(|i| 2.0 * rho[i] - sigma[i]);
-                    put(v, square(&ghost));
-                }
-            }
-        }
+        let mut vertex = by_parts(topology, of_edges);
         if !topology.is_closed() {
             for (v, &kind) in (0..).zip(&of_vertex) {
                 if matches!(kinds.list[usize::from(kind)], Vertex::Boundary(_)) {
-                    put(v, square(&delta(topology, positions, v)));
+                    put(&mut vertex, v, square(&delta(topology, positions, v)));
                 }
             }
         }
@@ -173,6 +156,40 @@ pub fn moves(topology: &Topology, coarse: &[Point<f64>], fine: &[Point<f64>]) ->
         ))
     };
     (0..topology.face_count()).map(of_face).collect()
+}
+
+#[inline]
+fn put(top: &mut [f64], v: u32, square: f64) {
+    let slot = &mut top[v as usize];
+    *slot = larger(*slot, square);
+}
+
+/// What an edge of two quads means for its ends.
+#[inline]
+fn of_edge(
+    topology: &Topology,
+    positions: &[Point<f64>],
+    of_vertex: &[u16],
+    e: u32,
+    top: &mut [f64],
+) {
+    let [h, twin] = topology.edge_halfedges(e);
+    let is_quad = |h| topology.face_size(topology.face_of(h)) == 4;
+    if twin == NONE || !is_quad(h) || !is_quad(twin) {
+        return;
+    }
+    let [at_a, at_x] = across(topology, positions, h, twin);
+    let largest = larger(square(&at_a), square(&at_x));
+    let [a, x] = [topology.origin(h), topology.target(h)];
+    put(top, a, largest);
+    put(top, x, largest);
+    // The ghost row of a regular boundary vertex: 2ρ - σ.
+    for (v, rho, sigma) in [(a, at_a, at_x), (x, at_x, at_a)] {
+        if topology.is_boundary_vertex(v) && of_vertex[v as usize] == 0 {
+            let ghost = [0, 1, 2].map(|i| 2.0 * rho[i] - sigma[i]);
+            put(top, v, square(&ghost));
+        }
+    }
 }
 
 /// The differences across an edge (a, x) of two quads: at a and at x.

@@ -24,15 +24,13 @@ use rayon::prelude::*;
 use super::connectivity::Connectivity;
 use super::constants::{beside, to_limit};
 use super::levels::{Kinds, Visit};
+use super::parts::{FEW, by_parts, joined, parts_of};
 use super::star::{Vertex, first_step};
 use super::vector::{Vector, larger, second, square};
 use crate::bound::Against;
 use crate::mesh::{NONE, Point, Topology};
 use crate::scalar::Interval;
 use crate::scheme::{LoopWeights, Scheme, loop_scheme};
-
-/// Edges below which one thread is faster.
-const FEW: usize = 1 << 14;
 
 /// The squares behind M of the faces of one level.
 #[derive(Clone, Debug)]
@@ -237,47 +235,6 @@ fn alpha(
     Some(([difference(0), difference(1), difference(2)], [p, q]))
 }
 
-/// A pass over edges that leaves a maximum at each vertex: parts of the edges have arrays of their own.
-fn by_parts(
-    topology: &Topology,
-    of_edges: impl Fn(std::ops::Range<usize>, &mut [f64]) + Sync,
-) -> Vec<f64> {
-    let (edges, vertices) = (
-        topology.edge_count() as usize,
-        topology.vertex_count() as usize,
-    );
-    let parts = match edges < FEW {
-        true => 1,
-        false => rayon::current_num_threads().clamp(1, 8),
-    };
-    let part = |i: usize| {
-        let mut top = vec![0.0_f64; vertices];
-        of_edges(edges * i / parts..edges * (i + 1) / parts, &mut top);
-        top
-    };
-    if parts == 1 {
-        return part(0);
-    }
-    let all: Vec<Vec<f64>> = (0..parts)
-        .into_par_iter()
-        .with_max_len(1)
-        .map(part)
-        .collect();
-    joined(all)
-}
-
-/// The maximum, entry by entry.
-fn joined(mut all: Vec<Vec<f64>>) -> Vec<f64> {
-    let Some(mut first) = all.pop() else {
-        return Vec::new();
-    };
-    for other in &all {
-        let pairs = first.par_iter_mut().zip(other).with_min_len(FEW);
-        pairs.for_each(|(a, b)| *a = larger(*a, *b));
-    }
-    first
-}
-
 /// δ of irregular boundary vertices, times a factor, joins their maxima.
 fn boundary(
     topology: &Topology,
@@ -348,11 +305,7 @@ fn step(
 /// The largest squares at the middle of each edge, and of the spokes at each vertex, after a step.
 fn middles(topology: &Topology, alphas: &[Vector], steps: &[Vector]) -> (Vec<f64>, Vec<f64>) {
     let edges = topology.edge_count() as usize;
-    let parts = match edges < FEW {
-        true => 1,
-        false => rayon::current_num_threads().clamp(1, 8),
-    };
-    let length = edges.div_ceil(parts).max(1);
+    let length = edges.div_ceil(parts_of(edges)).max(1);
     let mut middle = vec![0.0_f64; edges];
     let part = |(i, chunk): (usize, &mut [f64])| {
         let mut top = vec![0.0_f64; topology.vertex_count() as usize];
