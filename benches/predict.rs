@@ -16,7 +16,7 @@ use std::time::Duration;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use subcert::bound::Against;
 use subcert::mesh::{Mesh, Point, io};
-use subcert::predict::differences::{Bounds, Prepared, Request};
+use subcert::predict::differences::{Bounds, MovingMesh, Request};
 use subcert::refine::{Refiner, refine, refine_topology_into};
 use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 
@@ -77,7 +77,7 @@ fn one(c: &mut Criterion, mesh: &Mesh) {
         against: Against::Control,
         local_steps: 0,
     };
-    let prepared = Prepared::new(&mesh.topology, &request).expect("a mesh of triangles");
+    let prepared = MovingMesh::new(&mesh.topology, &request).expect("a mesh of triangles");
     let bytes = prepared.bytes() as f64 / f64::from(faces);
     println!("prepared: {bytes:.1} bytes for each face");
     group.bench_function("table, prepared", |b| {
@@ -89,7 +89,7 @@ fn one(c: &mut Criterion, mesh: &Mesh) {
         });
     });
     group.bench_function("to prepare", |b| {
-        b.iter(|| Prepared::new(black_box(&mesh.topology), &request).expect("a mesh"));
+        b.iter(|| MovingMesh::new(black_box(&mesh.topology), &request).expect("a mesh"));
     });
     let mut refiner = Refiner::new(SCHEME, CornerRule::Smooth);
     let mut fine = subcert::refine::refine_topology(SCHEME, &mesh.topology).expect("a mesh");

@@ -312,6 +312,49 @@ fn huang_wang_holds_at_all_levels() {
 }
 
 /// What bounds only the distance from the surface to the mesh is not safe for the other metrics.
+/// Methods that `best` leaves out by the connectivity are not safe when they are asked; and none of the papers' is
+/// left out everywhere.
+#[test]
+fn candidates_are_all_that_can_be_safe() {
+    let mut meshes = vec![octahedron(), cube()];
+    let files = std::fs::read_dir(file("examples/meshes")).expect("examples");
+    let files = files.map(|entry| entry.expect("an entry").path());
+    meshes.extend(files.map(|path| read(&path).expect("a mesh").mesh));
+    let mut safe = std::collections::BTreeSet::new();
+    for mesh in &meshes {
+        for scheme in [LOOP, Scheme::CatmullClark, Scheme::DooSabin] {
+            for against in [Against::Control, Against::Limit] {
+                let mut asked = request(scheme, against, 0.125);
+                for metric in [Metric::Parametric, Metric::SurfaceToMesh, Metric::Hausdorff] {
+                    asked.metric = metric;
+                    let candidates = Method::candidates(&asked, &mesh.topology);
+                    for method in Method::all()
+                        .into_iter()
+                        .filter(|m| !matches!(m, Method::Tabulated(..)))
+                    {
+                        let Ok(answers) = predict(mesh, &asked, &[method]) else {
+                            continue;
+                        };
+                        if answers[0].safe && answers[0].depth.is_some() {
+                            assert!(candidates.contains(&method), "{method}, {asked:?}");
+                            safe.insert(method.to_string());
+                        }
+                    }
+                }
+            }
+        }
+    }
+    for method in [
+        "lanquetin-neveu",
+        "cheng-yong",
+        "huang",
+        "huang-wang",
+        "subcert-2",
+    ] {
+        assert!(safe.contains(method), "{method}: {safe:?}");
+    }
+}
+
 #[test]
 fn metrics_decide_what_is_safe() {
     let mesh = octahedron();

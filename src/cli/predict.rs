@@ -127,24 +127,21 @@ impl Predict {
             metric: self.metric.into(),
             tolerance: self.tolerance,
         };
-        let mut methods = match self.method {
-            Asked::Best => Method::candidates(&request),
-            Asked::All => Method::all(),
-            Asked::One(method) => {
-                if let Err(why) = method.applies(&request) {
-                    bail!("--method {method} does not apply: {why}; use another one, or best");
-                }
-                vec![method]
-            }
-        };
+        if let Asked::One(method) = self.method
+            && let Err(why) = method.applies(&request)
+        {
+            bail!("--method {method} does not apply: {why}; use another one, or best");
+        }
         self.check_faces()?;
         let mesh = super::read(&self.mesh)?;
         if self.relative {
             request.tolerance = self.of_diagonal(&mesh)?;
         }
-        if self.method == Asked::Best {
-            methods.retain(|method| method.may_be_safe(&request, &mesh.topology));
-        }
+        let methods = match self.method {
+            Asked::Best => Method::candidates(&request, &mesh.topology),
+            Asked::All => Method::all(),
+            Asked::One(method) => vec![method],
+        };
         let mut answers =
             depth::predict(&mesh, &request, &methods).map_err(super::about(&self.mesh))?;
         let best = depth::best(&answers).cloned();

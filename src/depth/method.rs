@@ -56,27 +56,23 @@ impl Method {
         all
     }
 
-    /// Those that can be safe for a request.
-    pub fn candidates(request: &Request) -> Vec<Method> {
-        let safe = |m: &Method| {
-            *m != Method::Heuristic && m.bounds(request.metric) && m.applies(request).is_ok()
+    /// Those that can be safe for a request and a mesh.
+    pub fn candidates(request: &Request, topology: &Topology) -> Vec<Method> {
+        let may_be_safe = |m: &Method| {
+            m.bounds(request.metric) && m.applies(request).is_ok() && m.may_hold(request, topology)
         };
-        Method::all().into_iter().filter(safe).collect()
+        Method::all().into_iter().filter(may_be_safe).collect()
     }
 
-    /// Whether its answer for a mesh can be safe, by what is quick to see: false is certain.
-    pub fn may_be_safe(self, request: &Request, topology: &Topology) -> bool {
-        self.bounds(request.metric)
-            && self.applies(request).is_ok()
-            && match self {
-                Method::Heuristic => false,
-                Method::LanquetinNeveu => lanquetin_neveu::may_be_safe(topology, request.scheme),
-                Method::ChengYong => cheng_yong::may_be_safe(topology),
-                Method::Huang | Method::HuangWang => {
-                    huang_wang::may_be_safe(topology, request.against)
-                }
-                Method::Differences(_) | Method::Tabulated(..) => true,
-            }
+    /// Whether its verdict allows a safe answer for a mesh, by what is quick to see: false is certain.
+    fn may_hold(self, request: &Request, topology: &Topology) -> bool {
+        match self {
+            Method::Heuristic => false,
+            Method::LanquetinNeveu => lanquetin_neveu::may_be_safe(topology, request.scheme),
+            Method::ChengYong => cheng_yong::may_be_safe(topology),
+            Method::Huang | Method::HuangWang => huang_wang::may_be_safe(topology, request.against),
+            Method::Differences(_) | Method::Tabulated(..) => true,
+        }
     }
 
     /// Whether what it bounds, if anything, bounds that metric.
@@ -186,6 +182,8 @@ mod tests {
 
     #[test]
     fn every_request_has_a_candidate() {
+        let faces = vec![0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1];
+        let mesh = Topology::from_uniform(4, 3, faces).expect("a tetrahedron");
         for scheme in [
             Scheme::Loop(LoopWeights::Original),
             Scheme::Loop(LoopWeights::Warren),
@@ -201,7 +199,7 @@ mod tests {
                         metric,
                         tolerance: 1.0,
                     };
-                    let candidates = Method::candidates(&request);
+                    let candidates = Method::candidates(&request, &mesh);
                     assert!(candidates.contains(&Method::Differences(0)));
                     assert!(!candidates.contains(&Method::Heuristic));
                     let tabulated = candidates

@@ -109,7 +109,7 @@ impl Frame {
 }
 
 /// The least and largest coordinates of the vertices that have a face; none of them is NaN.
-fn extremes(topology: &Topology, positions: &[Point<f64>]) -> ([f64; 3], [f64; 3]) {
+pub(super) fn extremes(topology: &Topology, positions: &[Point<f64>]) -> ([f64; 3], [f64; 3]) {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     // Plain comparisons become vector instructions; those of `f64::min` look for NaN.
     let mut meet = |p: &[f64; 3]| {

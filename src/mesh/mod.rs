@@ -23,16 +23,7 @@ pub struct Mesh<S = f64> {
 impl Mesh {
     /// Smallest and largest coordinates of the vertices with faces.
     pub fn bounding_box(&self) -> [[f64; 3]; 2] {
-        let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-        for (v, point) in (0..).zip(&self.positions) {
-            if self.topology.first_halfedge(v) == NONE {
-                continue;
-            }
-            for (axis, &x) in point.0.iter().enumerate() {
-                bounds[0][axis] = bounds[0][axis].min(x);
-                bounds[1][axis] = bounds[1][axis].max(x);
-            }
-        }
-        bounds
+        let (low, high) = frame::extremes(&self.topology, &self.positions);
+        [low, high]
     }
 }

@@ -9,5 +9,6 @@
 pub mod differences;
 pub mod eigen;
 pub mod heuristic;
+mod parts;
 
 pub use eigen::{Estimate, Estimator, NotApplicable, Prepared, Sum, estimate};

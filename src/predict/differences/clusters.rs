@@ -39,7 +39,7 @@ const PARTS: usize = 16;
 
 /// The connectivity of a triangle mesh by clusters.
 #[derive(Clone, Debug)]
-pub struct Clusters {
+pub(super) struct Clusters {
     /// Vertices in the mesh, ascending in each cluster.
     vertices: Vec<u32>,
     /// Ends P and Q, and R and S across, times [`ROW`]: α = (P - R) + (Q - S).
@@ -59,7 +59,7 @@ impl Clusters {
     ///
     /// # Panics
     /// If a face is not a triangle.
-    pub fn of(topology: &Topology, kinds: &Kinds, of_vertex: &[u16]) -> Option<Self> {
+    pub(super) fn of(topology: &Topology, kinds: &Kinds, of_vertex: &[u16]) -> Option<Self> {
         assert_eq!(topology.arity(), Some(3), "triangles");
         let mut valences = (0..topology.vertex_count()).map(|v| topology.valence(v));
         if valences.any(|n| n > LARGEST_VALENCE) {
@@ -192,7 +192,7 @@ impl Clusters {
     }
 
     /// Bytes held.
-    pub fn bytes(&self) -> usize {
+    pub(super) fn bytes(&self) -> usize {
         size_of_val(&self.vertices[..])
             + size_of_val(&self.edges[..])
             + size_of_val(&self.faces[..])

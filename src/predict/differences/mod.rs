@@ -27,7 +27,7 @@
 //! | [`constants`] | D_k of a vertex: table and recurrence |
 //! | [`star`] | bounds for vertices that no table knows: large valences, boundaries |
 //! | [`triangles`], [`quads`], [`quarters`] | M of the ready faces of a mesh, per scheme |
-//! | [`clusters`], [`Prepared`] | the same for one connectivity and many positions |
+//! | `clusters`, [`MovingMesh`] | the same for one connectivity and many positions |
 //! | `maker`, `stage`, `unit`, [`connectivity`] | local steps; the faces after them; their unit and connectivity |
 //! | [`LocalSteps`] | bounds by 0, 1, .. local steps, one after the other |
 //! | [`levels`], [`MeshBounds`] | from ready faces to a bound at each level |
@@ -39,14 +39,13 @@ use crate::mesh::{Mesh, Topology};
 use crate::refine::RefineError;
 use crate::scheme::{CornerRule, Scheme};
 
-pub mod clusters;
+mod clusters;
 pub mod connectivity;
 pub mod constants;
 pub mod levels;
 mod local_steps;
 mod maker;
-mod parts;
-mod prepared;
+mod moving;
 pub mod quads;
 pub mod quarters;
 mod stage;
@@ -59,7 +58,7 @@ mod whole;
 use levels::{Lengths, Seen};
 pub use local_steps::LocalSteps;
 use maker::Maker;
-pub use prepared::Prepared;
+pub use moving::MovingMesh;
 use stage::{BLOCK, Stage};
 pub use whole::MeshBounds;
 
@@ -133,11 +132,6 @@ impl<'a> Bounds<'a> {
     /// The least k whose bound is at most the tolerance: [`MeshBounds::depth`].
     pub fn depth(&self, tolerance: f64) -> Option<u32> {
         self.mesh.depth(tolerance)
-    }
-
-    /// Those of the whole mesh alone.
-    pub fn of_mesh(self) -> MeshBounds {
-        self.mesh
     }
 
     /// For each face of the mesh the least level at which its own bound is at most the tolerance; `None` if

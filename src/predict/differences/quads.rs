@@ -15,11 +15,11 @@
 
 use super::connectivity::Connectivity;
 use super::levels::{Kinds, Visit};
-use super::parts::by_parts;
 use super::star::Vertex;
 use super::triangles::delta;
 use super::vector::{Vector, larger, middle, minus, second, square};
 use crate::mesh::{NONE, Point, Topology};
+use crate::predict::parts::by_parts;
 
 /// The squares behind M of the quads of one level, and how far faces that wait move in the next step.
 #[derive(Clone, Debug)]

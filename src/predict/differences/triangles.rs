@@ -24,11 +24,11 @@ use rayon::prelude::*;
 use super::connectivity::Connectivity;
 use super::constants::{beside, to_limit};
 use super::levels::{Kinds, Visit};
-use super::parts::{FEW, by_parts, joined, parts_of};
 use super::star::{Vertex, first_step};
 use super::vector::{Vector, larger, second, square};
 use crate::bound::Against;
 use crate::mesh::{NONE, Point, Topology};
+use crate::predict::parts::{FEW, by_parts, joined, parts_of};
 use crate::scalar::Interval;
 use crate::scheme::{LoopWeights, Scheme, loop_scheme};
 

@@ -9,13 +9,11 @@
 //! edge 0; those of the edges to ghosts equal, up to sign, those of inner edges at the same corner, as
 //! `g_j - g_(j-1) = b_(j+1) - b_(j-1) - a_j + a_(j-1)`. So edges of the mesh suffice.
 
-use std::ops::Range;
 use std::sync::OnceLock;
-
-use rayon::prelude::*;
 
 use crate::bound::{Against, Constant, Prover};
 use crate::mesh::{Point, Topology};
+use crate::predict::parts::by_parts;
 use crate::scalar::float::gamma;
 use crate::scheme::LoopWeights;
 
@@ -69,9 +67,6 @@ pub(crate) fn length_above([p, r]: [&[f64; 3]; 2], [q, s]: [&[f64; 3]; 2], radiu
     (square.sqrt() + off) * (1.0 + gamma(16)) + 1e-150
 }
 
-/// Edges of which one thread is faster.
-const FEW: usize = 1 << 14;
-
 /// For each face an upper bound of its M; points off by at most `radius` per coordinate, of size about 1.
 pub fn second_differences(topology: &Topology, positions: &[Point<f64>], radius: f64) -> Vec<f64> {
     let vertex = second_differences_at(topology, positions, radius);
@@ -89,12 +84,11 @@ pub(crate) fn second_differences_at(
     radius: f64,
 ) -> Vec<f64> {
     let at = |v: u32| &positions[v as usize].0;
-    let of_edges = |edges: Range<u32>| {
-        let mut vertex = vec![0.0_f64; topology.vertex_count() as usize];
-        for edge in edges {
-            if topology.is_boundary_edge(edge) {
-                continue;
-            }
+    by_parts(topology, |edges, vertex| {
+        for edge in edges
+            .map(|e| e as u32)
+            .filter(|&e| !topology.is_boundary_edge(e))
+        {
             let [h, twin] = topology.edge_halfedges(edge);
             let ends = [topology.origin(h), topology.target(h)];
             let [r, s] = [h, twin].map(|h| at(topology.target(topology.next(h))));
@@ -104,20 +98,5 @@ pub(crate) fn second_differences_at(
                 vertex[v as usize] = vertex[v as usize].max(length);
             }
         }
-        vertex
-    };
-    let edges = topology.edge_count();
-    if (edges as usize) < FEW {
-        return of_edges(0..edges);
-    }
-    // A part for each thread, with maxima of its own; the largest of all does not depend on the parts.
-    let part = edges.div_ceil(rayon::current_num_threads() as u32);
-    let starts: Vec<u32> = (0..edges).step_by(part as usize).collect();
-    let parts = starts.into_par_iter().with_max_len(1);
-    let parts = parts.map(|start| of_edges(start..edges.min(start.saturating_add(part))));
-    let join = |mut a: Vec<f64>, b: Vec<f64>| {
-        a.iter_mut().zip(b).for_each(|(a, b)| *a = a.max(b));
-        a
-    };
-    parts.reduce_with(join).unwrap_or_default()
+    })
 }

@@ -18,12 +18,12 @@ use crate::scheme::Scheme;
 /// Bounds of whole meshes of one connectivity: a mesh that moves, or is fitted.
 ///
 /// Where constants alone are used (Loop, no local step) all that the connectivity says is prepared here, and a
-/// set of positions costs a pass over [`Clusters`]; otherwise this is [`super::Bounds`].
+/// set of positions costs a pass over clusters of faces that fit a core's cache; otherwise this is [`super::Bounds`].
 ///
 /// ```
 /// use subcert::bound::Against;
 /// use subcert::mesh::{Point, Topology};
-/// use subcert::predict::differences::{Prepared, Request};
+/// use subcert::predict::differences::{MovingMesh, Request};
 /// use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 ///
 /// let faces = vec![0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 2, 1];
@@ -34,14 +34,14 @@ use crate::scheme::Scheme;
 ///     against: Against::Control,
 ///     local_steps: 0,
 /// };
-/// let prepared = Prepared::new(&tetrahedron, &request)?;
+/// let prepared = MovingMesh::new(&tetrahedron, &request)?;
 /// let place = |size: f64| [[0.0; 3], [size, 0.0, 0.0], [0.0, size, 0.0], [0.0, 0.0, size]].map(Point);
 /// let (small, large) = (prepared.bounds(&place(1.0))?, prepared.bounds(&place(4.0))?);
 /// assert_eq!(large.at(3), 4.0 * small.at(3));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Prepared<'a> {
+pub struct MovingMesh<'a> {
     topology: &'a Topology,
     request: Request,
     ready: Option<Ready>,
@@ -58,7 +58,7 @@ struct Ready {
     without_a_face: Vec<u32>,
 }
 
-impl<'a> Prepared<'a> {
+impl<'a> MovingMesh<'a> {
     /// Prepares what the connectivity says.
     ///
     /// # Errors
@@ -86,7 +86,7 @@ impl<'a> Prepared<'a> {
             })
         };
         let by_constants = matches!(scheme, Scheme::Loop(_)) && local_steps == 0;
-        Ok(Prepared {
+        Ok(MovingMesh {
             topology,
             request: *request,
             ready: if by_constants { ready() } else { None },

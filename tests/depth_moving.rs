@@ -1,4 +1,4 @@
-//! `Prepared` gives the bounds of `Bounds`: other code, the same theorem.
+//! `MovingMesh` gives the bounds of `Bounds`: other code, the same theorem.
 
 #[path = "refinement/meshes.rs"]
 mod meshes;
@@ -6,7 +6,7 @@ mod meshes;
 use meshes::Random;
 use subcert::bound::Against;
 use subcert::mesh::{Mesh, Point, Topology};
-use subcert::predict::differences::{Bounds, Prepared, Request};
+use subcert::predict::differences::{Bounds, MovingMesh, Request};
 use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 
 const LOOP: Scheme = Scheme::Loop(LoopWeights::Original);
@@ -31,7 +31,7 @@ fn moved(mesh: &Mesh, vertex: usize) -> Vec<Point<f64>> {
     positions
 }
 
-fn agree(name: &str, mesh: &Mesh, request: &Request, prepared: &Prepared<'_>) {
+fn agree(name: &str, mesh: &Mesh, request: &Request, prepared: &MovingMesh<'_>) {
     let other = Bounds::new(mesh, request).expect("bounds");
     let own = prepared.bounds(&mesh.positions).expect("bounds");
     for k in [0, 1, 2, 5, 20] {
@@ -52,7 +52,7 @@ fn check(name: &str, mesh: &Mesh) {
                 against,
                 local_steps: 0,
             };
-            let prepared = Prepared::new(&mesh.topology, &request).expect("triangles");
+            let prepared = MovingMesh::new(&mesh.topology, &request).expect("triangles");
             agree(name, mesh, &request, &prepared);
             let count = mesh.positions.len();
             for vertex in (0..count).step_by(count / 20 + 1) {
@@ -131,7 +131,7 @@ fn other_ways_agree() {
                 against: Against::Control,
                 local_steps,
             };
-            let prepared = Prepared::new(&mesh.topology, &request).expect("a mesh");
+            let prepared = MovingMesh::new(&mesh.topology, &request).expect("a mesh");
             agree("torus", mesh, &request, &prepared);
         }
     }
@@ -146,13 +146,20 @@ fn what_is_wrong_is_refused() {
         against: Against::Control,
         local_steps: 0,
     };
-    let prepared = Prepared::new(&mesh.topology, &request).expect("triangles");
+    let prepared = MovingMesh::new(&mesh.topology, &request).expect("triangles");
     assert!(prepared.bounds(&mesh.positions[1..]).is_err());
     let mut positions = mesh.positions.clone();
     positions[3].0[1] = f64::NAN;
     assert!(prepared.bounds(&positions).is_err());
+    // A vertex without a face has a place too.
+    let one = Topology::from_uniform(4, 3, vec![2, 0, 1]).expect("a face");
+    let prepared = MovingMesh::new(&one, &request).expect("a triangle");
+    let mut positions = placed(one.clone(), 15).positions;
+    assert!(prepared.bounds(&positions).is_ok());
+    positions[3].0[0] = f64::INFINITY;
+    assert!(prepared.bounds(&positions).is_err());
     let quads = meshes::torus(6, 7, false);
-    assert!(Prepared::new(&quads, &request).is_err());
+    assert!(MovingMesh::new(&quads, &request).is_err());
     request.scheme = Scheme::CatmullClark;
-    assert!(Prepared::new(&quads, &request).is_ok());
+    assert!(MovingMesh::new(&quads, &request).is_ok());
 }

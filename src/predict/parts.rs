@@ -2,14 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::vector::larger;
 use crate::mesh::Topology;
 
 /// Edges below which one thread is faster.
-pub(super) const FEW: usize = 1 << 14;
+pub(crate) const FEW: usize = 1 << 14;
 
 /// In how many parts so many edges are gone over.
-pub(super) fn parts_of(edges: usize) -> usize {
+pub(crate) fn parts_of(edges: usize) -> usize {
     match edges < FEW {
         true => 1,
         false => rayon::current_num_threads().clamp(1, 8),
@@ -17,7 +16,7 @@ pub(super) fn parts_of(edges: usize) -> usize {
 }
 
 /// A pass over edges that leaves a maximum at each vertex: parts of the edges have arrays of their own.
-pub(super) fn by_parts(
+pub(crate) fn by_parts(
     topology: &Topology,
     of_edges: impl Fn(std::ops::Range<usize>, &mut [f64]) + Sync,
 ) -> Vec<f64> {
@@ -43,13 +42,13 @@ pub(super) fn by_parts(
 }
 
 /// The maximum, entry by entry.
-pub(super) fn joined(mut all: Vec<Vec<f64>>) -> Vec<f64> {
+pub(crate) fn joined(mut all: Vec<Vec<f64>>) -> Vec<f64> {
     let Some(mut first) = all.pop() else {
         return Vec::new();
     };
     for other in &all {
         let pairs = first.par_iter_mut().zip(other).with_min_len(FEW);
-        pairs.for_each(|(a, b)| *a = larger(*a, *b));
+        pairs.for_each(|(a, b)| *a = if b > a { *b } else { *a });
     }
     first
 }
