@@ -6,7 +6,7 @@ mod meshes;
 use meshes::Random;
 use subcert::bound::Against;
 use subcert::mesh::{Mesh, Point, Topology};
-use subcert::predict::differences::{Bounds, MovingMesh, Request};
+use subcert::predict::differences::{Bounds, LocalSteps, MovingMesh, Request};
 use subcert::scheme::{CornerRule, LoopWeights, Scheme};
 
 const LOOP: Scheme = Scheme::Loop(LoopWeights::Original);
@@ -133,6 +133,33 @@ fn other_ways_agree() {
             };
             let prepared = MovingMesh::new(&mesh.topology, &request).expect("a mesh");
             agree("torus", mesh, &request, &prepared);
+        }
+    }
+}
+
+/// Bit by bit what [`Bounds`] says of so many steps, in whatever order they are asked for.
+#[test]
+fn local_steps_come_in_any_order() {
+    let meshes = [
+        (placed(meshes::grid(6, 7, true), 16), LOOP),
+        (placed(meshes::grid(6, 7, false), 17), Scheme::CatmullClark),
+        (placed(meshes::grid(6, 7, false), 18), Scheme::DooSabin),
+    ];
+    for (mesh, scheme) in &meshes {
+        let mut request = Request {
+            scheme: *scheme,
+            corner: CornerRule::Smooth,
+            against: Against::Control,
+            local_steps: 0,
+        };
+        let mut steps = LocalSteps::new(mesh, &request).expect("a mesh");
+        for local_steps in [0, 2, 1, 0, 2] {
+            request.local_steps = local_steps;
+            let other = Bounds::new(mesh, &request).expect("bounds");
+            let own = steps.bounds(local_steps).expect("bounds");
+            for k in 0..6 {
+                assert_eq!(own.at(k), other.at(k), "{request:?}, level {k}");
+            }
         }
     }
 }
