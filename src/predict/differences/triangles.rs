@@ -73,7 +73,7 @@ impl Rates {
     }
 
     /// A face whose corners have the kinds given, and M^2.
-    #[inline]
+    #[inline(always)]
     pub(super) fn visit(&self, kinds: [u16; 3], square: f64, to: &mut impl Visit) {
         let irregular = kinds.iter().filter(|&&kind| kind != 0).count();
         let largest = |of: &[f64]| {
