@@ -8,6 +8,9 @@
 //! computed twice (one in ten). What is computed is what [`super::triangles`] computes, δ of an irregular boundary
 //! vertex a with neighbours p and q being that of the "edge" (a, a) with p and q across, but for the order of
 //! three sums.
+//!
+//! **Roundings.** Those of [`super::triangles`]; the relative bound of [`super::levels::Outward`]
+//! holds for any order of the sums. Maxima depend neither on clusters nor on threads.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, VecDeque};
